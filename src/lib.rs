@@ -1,0 +1,19 @@
+//! Better triangles for surface meshes, with the enclosed volume kept exactly.
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+mod error;
+mod mesh;
+mod options;
+pub mod progress;
+pub mod quality;
+mod report;
+mod smooth;
+
+pub use error::Error;
+pub use mesh::Coordinate;
+pub use options::{Boundary, Constraints, Ideal, Options, Plane};
+pub use progress::{Flow, Progress};
+pub use quality::{Distribution, Measurement, Parameter, histogram, measure};
+pub use report::{Kept, Report, Seconds};
+pub use smooth::smooth;
