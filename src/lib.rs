@@ -2,13 +2,19 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+mod deviation;
 mod error;
+mod features;
+mod guard;
+mod memory;
 mod mesh;
 mod options;
 pub mod progress;
 pub mod quality;
 mod report;
 mod smooth;
+mod star;
+mod sweep;
 
 pub use error::Error;
 pub use mesh::Coordinate;

@@ -1,7 +1,9 @@
-//! Buffers in, validated mesh out: the lowest layer.
+//! Buffers in, validated mesh and its stars out: the lowest layer.
 
 mod coordinate;
+mod stars;
 mod validated;
 
 pub use coordinate::Coordinate;
-pub(crate) use validated::Mesh;
+pub(crate) use stars::{StarKind, Stars};
+pub(crate) use validated::{Mesh, repeats_a_vertex};

@@ -1,1 +1,94 @@
-pub(crate) struct Mesh;
+//! The validated mesh: every index in range, every coordinate finite, everything in `f64`.
+
+use glam::DVec3;
+
+use super::Coordinate;
+use crate::error::Error;
+use crate::memory;
+
+/// A mesh that the upper layers can trust. Triangles that name a vertex twice are still in it: no star takes them up.
+pub(crate) struct Mesh<'a> {
+    /// Positions in units of `unit`.
+    pub positions: Vec<DVec3>,
+    /// Corners of each triangle.
+    pub triangles: &'a [[u32; 3]],
+    /// Power of two by which positions were divided, so that squares and cubes of them stay within range.
+    pub unit: f64,
+    /// Rounds a coordinate in units of `unit` to one that the caller's buffer can hold.
+    round: fn(f64, f64) -> f64,
+}
+
+impl<'a> Mesh<'a> {
+    /// Checks the buffers and copies the positions.
+    pub fn new<T: Coordinate>(positions: &[[T; 3]], triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
+        check_counts(positions.len(), triangles.len())?;
+        check_indices(triangles, positions.len())?;
+        let unit = unit_of(largest_coordinate(positions)?);
+        let mut scaled = memory::reserved(positions.len())?;
+        // Scaling down takes two steps where the reciprocal itself would be subnormal.
+        scaled.extend(positions.iter().map(|p| DVec3::from_array(p.map(|x| x.to_f64() / unit))));
+        Ok(Self { positions: scaled, triangles, unit, round: |x, unit| T::from_f64(x * unit).to_f64() / unit })
+    }
+
+    /// Positions of the corners of a triangle.
+    pub fn corners(&self, triangle: &[u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| self.positions[v as usize])
+    }
+
+    /// The nearest position that the caller's buffers can hold.
+    pub fn storable(&self, position: DVec3) -> DVec3 {
+        DVec3::from_array(position.to_array().map(|x| (self.round)(x, self.unit)))
+    }
+
+    /// `position` as it is written into the caller's buffer.
+    pub fn stored<T: Coordinate>(&self, position: DVec3) -> [T; 3] {
+        position.to_array().map(|x| T::from_f64(x * self.unit))
+    }
+}
+
+/// Whether a triangle names a vertex twice.
+pub(crate) fn repeats_a_vertex(&[a, b, c]: &[u32; 3]) -> bool {
+    a == b || b == c || c == a
+}
+
+fn check_counts(vertices: usize, triangles: usize) -> Result<(), Error> {
+    // Stars take three slots a triangle and one a vertex, numbered by u32.
+    let slots = triangles.saturating_mul(3).saturating_add(vertices);
+    if slots >= u32::MAX as usize {
+        return Err(Error::TooLarge { count: vertices.max(triangles) });
+    }
+    Ok(())
+}
+
+fn check_indices(triangles: &[[u32; 3]], vertex_count: usize) -> Result<(), Error> {
+    for (triangle, corners) in triangles.iter().enumerate() {
+        for &index in corners {
+            if index as usize >= vertex_count {
+                return Err(Error::IndexOutOfRange { triangle, index, vertex_count });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn largest_coordinate<T: Coordinate>(positions: &[[T; 3]]) -> Result<f64, Error> {
+    let mut largest = 0.0_f64;
+    for (vertex, position) in positions.iter().enumerate() {
+        let size = position.iter().fold(0.0_f64, |m, x| m + x.to_f64().abs());
+        if !position.iter().all(|x| x.to_f64().is_finite()) {
+            return Err(Error::NonFinite { vertex });
+        }
+        largest = largest.max(size.min(f64::MAX));
+    }
+    Ok(largest)
+}
+
+/// 1 for coordinates of ordinary size, so that nothing is rescaled; else the power of two next below `largest`.
+fn unit_of(largest: f64) -> f64 {
+    const ORDINARY: std::ops::Range<f64> = 1e-30..1e30;
+    if largest == 0.0 || ORDINARY.contains(&largest) {
+        return 1.0;
+    }
+    let exponent = libm::ilogb(largest).clamp(-1022, 1022);
+    libm::ldexp(1.0, exponent)
+}

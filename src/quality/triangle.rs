@@ -12,8 +12,8 @@ pub struct Sides {
 }
 
 impl Sides {
-    /// Of the triangle with corners `a`, `b`, `c`.
-    pub fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
+    /// Of the triangle with these corners.
+    pub fn new([a, b, c]: [DVec3; 3]) -> Self {
         Self {
             squared: [(c - b).length_squared(), (a - c).length_squared(), (b - a).length_squared()],
             double_area: (b - a).cross(c - a).length(),
@@ -47,23 +47,24 @@ impl Sides {
     /// Smallest angle in degrees; 0 without area.
     pub fn min_angle(&self) -> f64 {
         let [a, b, c] = self.squared;
-        if self.double_area == 0.0 {
-            return 0.0;
-        }
-        self.angle_between(a.max(b), b.max(c).min(a.max(c)), a.min(b).min(c))
+        if self.double_area > 0.0 { self.angle_opposite(a.min(b).min(c)) } else { 0.0 }
     }
 
     /// Largest angle in degrees; 180 for three points on a line, 0 for three points in one.
     pub fn max_angle(&self) -> f64 {
         let [a, b, c] = self.squared;
-        let longest = a.max(b).max(c);
-        let sum = a + b + c;
-        libm::atan2(2.0 * self.double_area, sum - 2.0 * longest).to_degrees()
+        self.angle_opposite(a.max(b).max(c))
     }
 
-    /// Angle in degrees between two sides, by the squared lengths of all three; `opposite` faces it.
-    fn angle_between(&self, _: f64, _: f64, opposite: f64) -> f64 {
+    /// Twice the area.
+    pub fn double_area(&self) -> f64 {
+        self.double_area
+    }
+
+    /// Angle in degrees that faces a side of this squared length: its tangent is 4·area / (sum − 2·side²) by the law of
+    /// cosines.
+    fn angle_opposite(&self, side: f64) -> f64 {
         let sum: f64 = self.squared.iter().sum();
-        libm::atan2(2.0 * self.double_area, sum - 2.0 * opposite).to_degrees()
+        libm::atan2(2.0 * self.double_area, sum - 2.0 * side).to_degrees()
     }
 }

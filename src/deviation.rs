@@ -1,0 +1,73 @@
+//! Distance from the original surface.
+
+use glam::DVec3;
+
+use crate::mesh::{Mesh, Stars};
+
+/// The surface as it came in.
+pub(crate) struct Surface<'a> {
+    mesh: &'a Mesh<'a>,
+    stars: &'a Stars,
+}
+
+impl<'a> Surface<'a> {
+    pub fn new(mesh: &'a Mesh<'a>, stars: &'a Stars) -> Self {
+        Self { mesh, stars }
+    }
+
+    /// Distance from `point`, where vertex `v` has come to lie, to the original surface. Only triangles around the
+    /// original vertex nearest to the point are looked at, found by walking from `v`: never less than the true distance.
+    pub fn distance(&self, v: u32, point: DVec3) -> f64 {
+        let nearest = self.walk(v, point);
+        let mut least = self.distance_to_star(nearest, point);
+        for &r in self.stars.ring(nearest) {
+            least = least.min(self.distance_to_star(r, point));
+        }
+        least.sqrt()
+    }
+
+    /// From vertex to vertex as long as one of the ring is nearer to the point.
+    fn walk(&self, mut v: u32, point: DVec3) -> u32 {
+        loop {
+            let square = |r: u32| self.mesh.positions[r as usize].distance_squared(point);
+            let next = self.stars.ring(v).iter().copied().min_by(|&a, &b| square(a).total_cmp(&square(b)));
+            match next {
+                Some(next) if square(next) < square(v) => v = next,
+                _ => return v,
+            }
+        }
+    }
+
+    /// Squared distance to the original triangles around `v`.
+    fn distance_to_star(&self, v: u32, point: DVec3) -> f64 {
+        let p = |k: u32| self.mesh.positions[k as usize];
+        let ring = self.stars.ring(v);
+        let turn = if self.stars.flanks(v, 0).is_some() { ring.first() } else { None };
+        let rim = ring.iter().chain(turn).map(|&r| p(r));
+        let mut least = p(v).distance_squared(point);
+        for (a, b) in rim.clone().zip(rim.skip(1)) {
+            least = least.min(nearest_on_triangle(point, [p(v), a, b]).distance_squared(point));
+        }
+        least
+    }
+}
+
+/// The point of a triangle nearest to `point`: the foot of the perpendicular, if it falls inside, else the nearest point
+/// of the sides.
+fn nearest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+    let normal = (b - a).cross(c - a);
+    let square = normal.length_squared();
+    let inside = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(normal) >= 0.0;
+    if square > 0.0 && inside(a, b) && inside(b, c) && inside(c, a) {
+        return point - normal * ((point - a).dot(normal) / square);
+    }
+    let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| nearest_on_segment(point, from, to));
+    sides.into_iter().min_by(|p, q| p.distance_squared(point).total_cmp(&q.distance_squared(point))).unwrap_or(a)
+}
+
+fn nearest_on_segment(point: DVec3, a: DVec3, b: DVec3) -> DVec3 {
+    let along = b - a;
+    let square = along.length_squared();
+    let t = if square > 0.0 { (point - a).dot(along) / square } else { 0.0 };
+    a + along * t.clamp(0.0, 1.0)
+}

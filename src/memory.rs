@@ -1,0 +1,26 @@
+//! Allocation that fails with a status instead of an abort.
+
+use crate::error::Error;
+
+/// An empty vector with room for exactly `capacity` elements.
+pub(crate) fn reserved<T>(capacity: usize) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    vector
+        .try_reserve_exact(capacity)
+        .map_err(|_| Error::OutOfMemory { bytes: capacity.saturating_mul(size_of::<T>()) })?;
+    Ok(vector)
+}
+
+/// A vector of `length` copies of `value`.
+pub(crate) fn filled<T: Clone>(value: T, length: usize) -> Result<Vec<T>, Error> {
+    let mut vector = reserved(length)?;
+    vector.resize(length, value);
+    Ok(vector)
+}
+
+/// A copy of `source`.
+pub(crate) fn copied<T: Clone>(source: &[T]) -> Result<Vec<T>, Error> {
+    let mut vector = reserved(source.len())?;
+    vector.extend_from_slice(source);
+    Ok(vector)
+}

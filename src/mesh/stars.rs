@@ -1,0 +1,178 @@
+//! Stars: the triangles around each vertex, as ordered rings in one flat array.
+
+use super::validated::{Mesh, repeats_a_vertex};
+use crate::error::Error;
+use crate::memory;
+
+/// What the triangles around a vertex look like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StarKind {
+    /// No triangle.
+    Empty,
+    /// The ring closes: the vertex is inside the surface.
+    Closed,
+    /// One fan from boundary edge to boundary edge.
+    Open,
+    /// More than one fan, an edge with more than two triangles, or winding that disagrees.
+    NonManifold,
+}
+
+/// All stars of a mesh.
+///
+/// A ring lists the neighbours counter-clockwise (seen from where the triangles do). A closed star of n triangles
+/// has n ring vertices, triangle i being (v, ring\[i\], ring\[i + 1 mod n\]); an open one has n + 1.
+pub(crate) struct Stars {
+    /// Start of each vertex's slots in `slots`; one entry more than vertices.
+    offsets: Vec<u32>,
+    /// Per vertex one slot more than it has triangles.
+    slots: Vec<u32>,
+    kinds: Vec<StarKind>,
+}
+
+impl Stars {
+    /// Builds the stars in linear time (and n log n in the valence of a vertex).
+    pub fn new(mesh: &Mesh<'_>) -> Result<Self, Error> {
+        let offsets = slot_offsets(mesh)?;
+        let mut slots = incident_triangles(mesh, &offsets)?;
+        let mut kinds = memory::filled(StarKind::Empty, mesh.positions.len())?;
+        let mut rim = Vec::new();
+        for (v, kind) in kinds.iter_mut().enumerate() {
+            let own = &mut slots[offsets[v] as usize..offsets[v + 1] as usize];
+            rim.clear();
+            rim.extend(own[..own.len() - 1].iter().map(|&t| rim_edge(&mesh.triangles[t as usize], v as u32)));
+            *kind = link(&mut rim, own);
+        }
+        Ok(Self { offsets, slots, kinds })
+    }
+
+    /// Number of vertices.
+    pub fn len(&self) -> usize {
+        self.kinds.len()
+    }
+
+    /// What kind of star vertex `v` has.
+    pub fn kind(&self, v: u32) -> StarKind {
+        self.kinds[v as usize]
+    }
+
+    /// The ring of `v`; empty for a star that is neither closed nor open.
+    pub fn ring(&self, v: u32) -> &[u32] {
+        &self.slots[self.ring_slots(v)]
+    }
+
+    /// Where the ring of `v` lies in the array of all slots.
+    pub fn ring_slots(&self, v: u32) -> std::ops::Range<usize> {
+        let start = self.offsets[v as usize] as usize;
+        let end = self.offsets[v as usize + 1] as usize;
+        match self.kind(v) {
+            StarKind::Open => start..end,
+            StarKind::Closed => start..end - 1,
+            StarKind::Empty | StarKind::NonManifold => start..start,
+        }
+    }
+
+    /// Ring position of `r` around `v`, if the edge v–r has a triangle on either side.
+    pub fn inner_neighbour(&self, v: u32, r: u32) -> Option<usize> {
+        let i = self.ring(v).iter().position(|&x| x == r)?;
+        self.flanks(v, i).map(|_| i)
+    }
+
+    /// The ring vertices before and after position `i`, if the edge to it has a triangle on either side.
+    pub fn flanks(&self, v: u32, i: usize) -> Option<[u32; 2]> {
+        let ring = self.ring(v);
+        let last = ring.len() - 1;
+        match self.kind(v) {
+            StarKind::Closed => Some([ring[if i == 0 { last } else { i - 1 }], ring[if i == last { 0 } else { i + 1 }]]),
+            _ if i > 0 && i < last => Some([ring[i - 1], ring[i + 1]]),
+            _ => None,
+        }
+    }
+
+    /// Number of slots, for arrays that run beside them.
+    pub fn slot_count(&self) -> usize {
+        self.slots.len()
+    }
+}
+
+fn slot_offsets(mesh: &Mesh<'_>) -> Result<Vec<u32>, Error> {
+    let mut offsets = memory::filled(0_u32, mesh.positions.len() + 1)?;
+    for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
+        for &v in corners {
+            offsets[v as usize + 1] += 1;
+        }
+    }
+    for v in 1..offsets.len() {
+        offsets[v] += offsets[v - 1] + 1;
+    }
+    Ok(offsets)
+}
+
+/// Triangle numbers around each vertex, in rising order, the last slot of each vertex left 0.
+fn incident_triangles(mesh: &Mesh<'_>, offsets: &[u32]) -> Result<Vec<u32>, Error> {
+    let mut slots = memory::filled(0_u32, offsets[offsets.len() - 1] as usize)?;
+    let mut next = memory::copied(offsets)?;
+    for (t, corners) in mesh.triangles.iter().enumerate() {
+        if repeats_a_vertex(corners) {
+            continue;
+        }
+        for &v in corners {
+            slots[next[v as usize] as usize] = t as u32;
+            next[v as usize] += 1;
+        }
+    }
+    Ok(slots)
+}
+
+/// The edge of a triangle opposite to its corner `v`, in the triangle's own direction.
+fn rim_edge(&[a, b, c]: &[u32; 3], v: u32) -> (u32, u32) {
+    if a == v {
+        (b, c)
+    } else if b == v {
+        (c, a)
+    } else {
+        (a, b)
+    }
+}
+
+/// Chains rim edges into a ring, written to `own`, which has one slot more than there are edges.
+fn link(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
+    const QUADRATIC: usize = 24;
+    if rim.is_empty() {
+        StarKind::Empty
+    } else if rim.len() <= QUADRATIC {
+        let first = rim.iter().position(|e| rim.iter().all(|f| f.1 != e.0)).unwrap_or(0);
+        chain(rim, own, first, |a| rim.iter().position(|e| e.0 == a))
+    } else {
+        rim.sort_unstable();
+        let mut ends: Vec<u32> = rim.iter().map(|e| e.1).collect();
+        ends.sort_unstable();
+        let first = rim.iter().position(|e| ends.binary_search(&e.0).is_err()).unwrap_or(0);
+        chain(rim, own, first, |a| rim.binary_search_by_key(&a, |e| e.0).ok())
+    }
+}
+
+/// Follows the rim from edge `first`; `starting_at` finds the edge that starts at a vertex. Only a walk that takes every
+/// edge exactly once ends as closed or open: a vertex that starts or ends two edges strands one of them.
+fn chain(
+    rim: &[(u32, u32)],
+    own: &mut [u32],
+    first: usize,
+    starting_at: impl Fn(u32) -> Option<usize>,
+) -> StarKind {
+    let last_step = rim.len() - 1;
+    let mut at = first;
+    for step in 0..=last_step {
+        let (start, end) = rim[at];
+        own[step] = start;
+        match starting_at(end) {
+            Some(next) if step == last_step && next == first => return StarKind::Closed,
+            Some(next) if step < last_step && next != first => at = next,
+            None if step == last_step => {
+                own[step + 1] = end;
+                return StarKind::Open;
+            }
+            _ => break,
+        }
+    }
+    StarKind::NonManifold
+}
