@@ -7,7 +7,6 @@ use glam::DVec3;
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::{Features, Role};
-use crate::guard::Guard;
 use crate::memory;
 use crate::mesh::{Coordinate, Mesh, Stars, repeats_a_vertex};
 use crate::options::{Constraints, Options};
@@ -16,9 +15,6 @@ use crate::quality::Measurement;
 use crate::report::{Kept, Report, Seconds};
 use crate::star::Modelling;
 use crate::sweep::{self, Outcome, Surroundings, Tally};
-
-/// Largest angle in degrees by which a triangle's normal may turn against its original one.
-const LARGEST_TURN: f64 = 45.0;
 
 /// Improves the triangles of a mesh by moving its vertices.
 ///
@@ -49,13 +45,13 @@ pub fn smooth<T: Coordinate>(
     let features_done = clock.elapsed().as_secs_f64();
 
     let modelling = Modelling::new(options);
-    let guard = Guard { floor: options.quality_floor, least_cosine: libm::cos(LARGEST_TURN.to_radians()) };
     let surroundings = Surroundings {
         mesh: &mesh,
         stars: &stars,
         features: &features,
         modelling: &modelling,
-        guard: &guard,
+        floor: options.quality_floor,
+        keeps_shape: options.feature_angle.is_some(),
         relaxation: options.relaxation,
         max_deviation: options.max_deviation.map(|bound| bound / mesh.unit),
     };

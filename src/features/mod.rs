@@ -1,6 +1,8 @@
 //! Features: what must keep its place or its line.
 
+mod corner;
 mod crease;
 mod role;
+mod slots;
 
 pub(crate) use role::{Features, Role};

@@ -1,8 +1,7 @@
 //! What each vertex may do, from its star, the features, and the caller's wishes.
 
-use glam::DVec3;
-
-use super::crease;
+use super::slots::SlotSet;
+use super::{corner, crease};
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, StarKind, Stars};
@@ -13,6 +12,9 @@ use crate::options::{Boundary, Constraints, Options};
 pub(crate) enum Role {
     /// Moves in its tangent plane.
     Free,
+    /// Moves in its tangent plane, but not far from the planes of its original triangles: it looks like a corner, and what
+    /// makes it look so are bad triangles.
+    Doubtful,
     /// Slides along a crease.
     Crease,
     /// Slides along the boundary.
@@ -46,7 +48,7 @@ impl Features {
     ) -> Result<Self, Error> {
         let mut slots = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
-            crease::mark(mesh, stars, angle, &mut slots);
+            crease::mark(mesh, stars, angle, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
             slots.insert_edge(stars, a, b);
@@ -71,15 +73,12 @@ impl Features {
         [ends.next().unwrap_or(0), ends.next().unwrap_or(0)]
     }
 
-    fn role_of(
-        &self,
-        mesh: &Mesh<'_>,
-        stars: &Stars,
-        options: &Options,
-        v: u32,
-        locked: bool,
-        straight: f64,
-    ) -> Role {
+    fn corner(&self, mesh: &Mesh<'_>, stars: &Stars, v: u32) -> Role {
+        let ends: Vec<usize> = self.slots.of(stars, v).collect();
+        if corner::is_credible(mesh, stars, v, &ends) { Role::Corner } else { Role::Doubtful }
+    }
+
+    fn role_of(&self, mesh: &Mesh<'_>, stars: &Stars, options: &Options, v: u32, locked: bool, straight: f64) -> Role {
         let ring = stars.ring(v);
         let marked = self.slots.of(stars, v).count();
         let line = |first: usize, second: usize| {
@@ -95,67 +94,10 @@ impl Features {
             StarKind::Closed if marked == 0 => Role::Free,
             StarKind::Closed if marked == 2 => {
                 let [first, second] = self.crease_ends(stars, v);
-                if line(first, second) { Role::Crease } else { Role::Corner }
+                if line(first, second) { Role::Crease } else { self.corner(mesh, stars, v) }
             }
-            StarKind::Open | StarKind::Closed => Role::Corner,
+            StarKind::Closed => self.corner(mesh, stars, v),
+            StarKind::Open => Role::Corner,
         }
     }
-}
-
-/// A set of edges inside the surface, as one bit for each ring slot.
-pub(crate) struct SlotSet {
-    bits: Vec<u64>,
-}
-
-impl SlotSet {
-    pub fn new(stars: &Stars) -> Result<Self, Error> {
-        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 1)? })
-    }
-
-    pub fn contains(&self, slot: usize) -> bool {
-        self.bits[slot / 64] >> (slot % 64) & 1 == 1
-    }
-
-    /// Ring positions of `v` that are in the set.
-    pub fn of<'s>(&'s self, stars: &'s Stars, v: u32) -> impl Iterator<Item = usize> + 's {
-        let slots = stars.ring_slots(v);
-        let start = slots.start;
-        slots.filter(|&slot| self.contains(slot)).map(move |slot| slot - start)
-    }
-
-    /// Puts the edge a–b into the set, as seen from both ends; boundary edges and pairs that are no edge are left out.
-    pub fn insert_edge(&mut self, stars: &Stars, a: u32, b: u32) {
-        self.insert_half(stars, a, b);
-        self.insert_half(stars, b, a);
-    }
-
-    fn insert_half(&mut self, stars: &Stars, v: u32, r: u32) {
-        if let Some(i) = stars.inner_neighbour(v, r) {
-            let slot = stars.ring_slots(v).start + i;
-            self.bits[slot / 64] |= 1 << (slot % 64);
-        }
-    }
-
-    pub fn remove_edge(&mut self, stars: &Stars, a: u32, b: u32) {
-        for (v, r) in [(a, b), (b, a)] {
-            if let Some(i) = stars.inner_neighbour(v, r) {
-                let slot = stars.ring_slots(v).start + i;
-                self.bits[slot / 64] &= !(1 << (slot % 64));
-            }
-        }
-    }
-
-    /// Edges in the set.
-    fn edge_count(&self, stars: &Stars) -> usize {
-        let seen = |v: u32| self.of(stars, v).filter(move |&i| {
-            let r = stars.ring(v)[i];
-            v < r || stars.inner_neighbour(r, v).is_none()
-        });
-        (0..stars.len() as u32).map(|v| seen(v).count()).sum()
-    }
-}
-
-/// Unit normal of the triangle (a, b, c), zero without area.
-pub(super) fn unit_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
-    (b - a).cross(c - a).normalize_or_zero()
 }

@@ -1,5 +1,7 @@
 //! Stars: the triangles around each vertex, as ordered rings in one flat array.
 
+use glam::DVec3;
+
 use super::validated::{Mesh, repeats_a_vertex};
 use crate::error::Error;
 use crate::memory;
@@ -82,10 +84,32 @@ impl Stars {
         let ring = self.ring(v);
         let last = ring.len() - 1;
         match self.kind(v) {
-            StarKind::Closed => Some([ring[if i == 0 { last } else { i - 1 }], ring[if i == last { 0 } else { i + 1 }]]),
+            StarKind::Closed => {
+                Some([ring[if i == 0 { last } else { i - 1 }], ring[if i == last { 0 } else { i + 1 }]])
+            }
             _ if i > 0 && i < last => Some([ring[i - 1], ring[i + 1]]),
             _ => None,
         }
+    }
+
+    /// The third corner of the triangle that has the directed edge q → p, if it is in the star of `p`.
+    pub fn across(&self, p: u32, q: u32) -> Option<u32> {
+        let ring = self.ring(p);
+        let i = ring.iter().position(|&x| x == q)?;
+        match i.checked_sub(1) {
+            Some(before) => Some(ring[before]),
+            None if self.kind(p) == StarKind::Closed => ring.last().copied(),
+            None => None,
+        }
+    }
+
+    /// Twice the vector area of the star of `v`; zero where there is no ring.
+    pub fn double_area(&self, mesh: &Mesh<'_>, v: u32) -> DVec3 {
+        let ring = self.ring(v);
+        let closing = if self.kind(v) == StarKind::Closed { ring.first() } else { None };
+        let at = |&r: &u32| mesh.positions[r as usize] - mesh.positions[v as usize];
+        let next = ring.iter().skip(1).chain(closing);
+        ring.iter().zip(next).map(|(a, b)| at(a).cross(at(b))).sum()
     }
 
     /// Number of slots, for arrays that run beside them.
@@ -153,12 +177,7 @@ fn link(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
 
 /// Follows the rim from edge `first`; `starting_at` finds the edge that starts at a vertex. Only a walk that takes every
 /// edge exactly once ends as closed or open: a vertex that starts or ends two edges strands one of them.
-fn chain(
-    rim: &[(u32, u32)],
-    own: &mut [u32],
-    first: usize,
-    starting_at: impl Fn(u32) -> Option<usize>,
-) -> StarKind {
+fn chain(rim: &[(u32, u32)], own: &mut [u32], first: usize, starting_at: impl Fn(u32) -> Option<usize>) -> StarKind {
     let last_step = rim.len() - 1;
     let mut at = first;
     for step in 0..=last_step {

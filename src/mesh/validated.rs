@@ -85,7 +85,7 @@ fn largest_coordinate<T: Coordinate>(positions: &[[T; 3]]) -> Result<f64, Error>
 
 /// 1 for coordinates of ordinary size, so that nothing is rescaled; else the power of two next below `largest`.
 fn unit_of(largest: f64) -> f64 {
-    const ORDINARY: std::ops::Range<f64> = 1e-30..1e30;
+    const ORDINARY: std::ops::Range<f64> = 1e-10..1e10;
     if largest == 0.0 || ORDINARY.contains(&largest) {
         return 1.0;
     }

@@ -5,12 +5,18 @@ use glam::DVec3;
 use super::slide;
 use crate::deviation::Surface;
 use crate::features::{Features, Role};
-use crate::guard::{Before, Guard};
+use crate::guard::{Guard, Leash};
 use crate::mesh::{Mesh, Stars};
 use crate::star::{LocalStar, Modelling, Operation, double_vector_area};
 
 /// How often a step is halved before the vertex stays.
 const HALVINGS: u32 = 3;
+
+/// Bounds where the shape of the surface is to be kept.
+const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
+
+/// Bounds for a vertex that may be a corner after all.
+const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.25 };
 
 /// What became of a vertex at its last visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,7 +44,10 @@ pub(crate) struct Surroundings<'a> {
     pub stars: &'a Stars,
     pub features: &'a Features,
     pub modelling: &'a Modelling,
-    pub guard: &'a Guard,
+    /// Mean-ratio shape below which no star's worst triangle may fall.
+    pub floor: f64,
+    /// Whether the shape of the surface is to be kept beyond what marked edges say.
+    pub keeps_shape: bool,
     pub relaxation: f64,
     /// Greatest distance from the original surface.
     pub max_deviation: Option<f64>,
@@ -49,7 +58,7 @@ pub(crate) struct Visitor<'a> {
     around: &'a Surroundings<'a>,
     operation: Operation<'a>,
     star: LocalStar,
-    before: Before,
+    guard: Guard,
     pub tally: Tally,
 }
 
@@ -59,7 +68,7 @@ impl<'a> Visitor<'a> {
             around,
             operation: Operation::new(around.modelling),
             star: LocalStar::default(),
-            before: Before::default(),
+            guard: Guard::new(around.floor),
             tally: Tally::default(),
         }
     }
@@ -80,14 +89,14 @@ impl<'a> Visitor<'a> {
         let Surroundings { stars, features, relaxation, .. } = *self.around;
         let role = features.role(v);
         match role {
-            Role::Free | Role::Rim => self.star.take(stars, positions, v),
+            Role::Free | Role::Doubtful | Role::Rim => self.star.take(stars, positions, v),
             Role::Crease => self.star.take_crease(stars, positions, v, features.crease_ends(stars, v)),
             _ => return None,
         }
         let step = self.operation.target(&self.star).and_then(|target| {
             let target = target * relaxation;
             match role {
-                Role::Free => volume_neutral(target, double_vector_area(&self.star.rim)),
+                Role::Free | Role::Doubtful => volume_neutral(target, double_vector_area(&self.star.rim)),
                 _ => slide::along(&self.star, target),
             }
         });
@@ -96,9 +105,8 @@ impl<'a> Visitor<'a> {
 
     /// Halves the step until guard and deviation bound agree.
     fn try_step(&mut self, positions: &mut [DVec3], v: u32, mut step: DVec3) -> Outcome {
-        let Surroundings { mesh, guard, .. } = *self.around;
-        let original = mesh.positions[v as usize];
-        self.before.take(&self.star, &mesh.positions, original, guard.floor);
+        let Surroundings { mesh, stars, .. } = *self.around;
+        self.guard.inspect(mesh, stars, v, &self.star, self.leash(v));
         let mut refusal = Outcome::Guard;
         for halving in 0..=HALVINGS {
             let new = mesh.storable(self.star.centre + step);
@@ -117,10 +125,18 @@ impl<'a> Visitor<'a> {
         refusal
     }
 
+    fn leash(&self, v: u32) -> Leash {
+        match self.around.features.role(v) {
+            _ if !self.around.keeps_shape => Leash::NONE,
+            Role::Doubtful => NEAR_CORNER,
+            _ => ON_SURFACE,
+        }
+    }
+
     /// `Moved` if the vertex may go to `new`, else what speaks against it.
     fn refusal(&self, v: u32, new: DVec3) -> Outcome {
-        let Surroundings { mesh, stars, guard, max_deviation, .. } = *self.around;
-        if !guard.admits(&self.star, &self.before, new - self.star.centre) {
+        let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
+        if !self.guard.admits(&self.star, new - self.star.centre) {
             return Outcome::Guard;
         }
         match max_deviation {

@@ -1,0 +1,52 @@
+//! Sets of edges, kept beside the rings.
+
+use crate::error::Error;
+use crate::memory;
+use crate::mesh::Stars;
+
+/// A set of edges inside the surface, as one bit for each ring slot.
+pub(crate) struct SlotSet {
+    bits: Vec<u64>,
+}
+
+impl SlotSet {
+    /// The empty set.
+    pub fn new(stars: &Stars) -> Result<Self, Error> {
+        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 1)? })
+    }
+
+    fn contains(&self, slot: usize) -> bool {
+        self.bits[slot / 64] >> (slot % 64) & 1 == 1
+    }
+
+    /// Ring positions of `v` that are in the set.
+    pub fn of<'s>(&'s self, stars: &'s Stars, v: u32) -> impl Iterator<Item = usize> + 's {
+        let slots = stars.ring_slots(v);
+        let start = slots.start;
+        slots.filter(|&slot| self.contains(slot)).map(move |slot| slot - start)
+    }
+
+    /// Puts the edge a–b into the set, as seen from both ends; boundary edges and pairs that are no edge are left out.
+    pub fn insert_edge(&mut self, stars: &Stars, a: u32, b: u32) {
+        self.insert_half(stars, a, b);
+        self.insert_half(stars, b, a);
+    }
+
+    fn insert_half(&mut self, stars: &Stars, v: u32, r: u32) {
+        if let Some(i) = stars.inner_neighbour(v, r) {
+            let slot = stars.ring_slots(v).start + i;
+            self.bits[slot / 64] |= 1 << (slot % 64);
+        }
+    }
+
+    /// Edges in the set.
+    pub fn edge_count(&self, stars: &Stars) -> usize {
+        let seen = |v: u32| {
+            self.of(stars, v).filter(move |&i| {
+                let r = stars.ring(v)[i];
+                v < r || stars.inner_neighbour(r, v).is_none()
+            })
+        };
+        (0..stars.len() as u32).map(|v| seen(v).count()).sum()
+    }
+}

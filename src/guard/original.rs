@@ -1,0 +1,48 @@
+//! What the original mesh says of a star: normals not to turn from, planes not to leave.
+
+use glam::DVec3;
+
+use super::witness::{Witness, signed_shape};
+use crate::mesh::{Mesh, Stars};
+use crate::star::LocalStar;
+
+/// Original shape below which a triangle's normal says nothing: comparing with it would freeze exactly those triangles
+/// that need to move.
+const MEANINGLESS: f64 = 1e-3;
+
+/// Original shape below which a triangle's plane is not worth keeping.
+const THIN: f64 = 0.3;
+
+/// Fills in the original normals and planes. Returns the size of the original star: the root mean square of the distances
+/// from the centre to the ring.
+pub(super) fn look(mesh: &Mesh<'_>, stars: &Stars, v: u32, star: &LocalStar, witnesses: &mut [Witness]) -> f64 {
+    let centre = mesh.positions[v as usize];
+    let at = |r: u32| mesh.positions[r as usize] - centre;
+    let mut area = DVec3::ZERO;
+    let mut square = 0.0;
+    for (edge, witness) in star.vertices.windows(2).zip(witnesses.iter_mut()) {
+        let (a, b) = (at(edge[0]), at(edge[1]));
+        let normal = a.cross(b);
+        area += normal;
+        square += b.length_squared();
+        let shape = signed_shape(a, b, normal, normal);
+        if shape > MEANINGLESS {
+            witness.normal = normal / normal.length();
+        }
+        if shape > THIN {
+            witness.plane = witness.normal;
+        }
+    }
+    for (edge, witness) in star.vertices.windows(2).zip(witnesses.iter_mut()) {
+        if witness.normal.dot(area) < 0.0 && is_folded(mesh, stars, edge, witness.normal) {
+            (witness.normal, witness.plane) = (DVec3::ZERO, DVec3::ZERO);
+        }
+    }
+    (square / witnesses.len() as f64).sqrt()
+}
+
+/// Whether a triangle that opposes its star at one corner, with `normal`, opposes the stars of both its `others` too. Then
+/// it was folded over in the original, and it is right for it to turn.
+fn is_folded(mesh: &Mesh<'_>, stars: &Stars, others: &[u32], normal: DVec3) -> bool {
+    others.iter().all(|&v| stars.double_area(mesh, v).dot(normal) < 0.0)
+}
