@@ -15,6 +15,9 @@ const HALVINGS: u32 = 3;
 /// Bounds where the shape of the surface is to be kept.
 const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
 
+/// Bounds for a vertex that slides along a crease.
+const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
+
 /// Bounds for a vertex that may be a corner after all.
 const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.25 };
 
@@ -128,6 +131,7 @@ impl<'a> Visitor<'a> {
     fn leash(&self, v: u32) -> Leash {
         match self.around.features.role(v) {
             _ if !self.around.keeps_shape => Leash::NONE,
+            Role::Crease => ON_CREASE,
             Role::Doubtful => NEAR_CORNER,
             _ => ON_SURFACE,
         }
