@@ -112,6 +112,13 @@ impl Stars {
         ring.iter().zip(next).map(|(a, b)| at(a).cross(at(b))).sum()
     }
 
+    /// Whether a triangle opposes the stars of all its corners, as one does that is folded over. Its normal says nothing.
+    pub fn is_folded(&self, mesh: &Mesh<'_>, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = mesh.corners(&triangle);
+        let normal = (b - a).cross(c - a);
+        triangle.iter().all(|&v| self.double_area(mesh, v).dot(normal) < 0.0)
+    }
+
     /// Number of slots, for arrays that run beside them.
     pub fn slot_count(&self) -> usize {
         self.slots.len()
