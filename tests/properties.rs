@@ -71,7 +71,7 @@ fn distance(point: [f64; 3], mesh: &Mesh) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Promise 1.
     #[test]
