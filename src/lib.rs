@@ -5,6 +5,8 @@
 mod deviation;
 mod error;
 mod features;
+#[allow(unsafe_code, non_camel_case_types)]
+mod ffi;
 mod guard;
 mod memory;
 mod mesh;

@@ -127,6 +127,21 @@ fn marked_edges_are_features_even_in_a_plane() {
 }
 
 #[test]
+fn a_marked_corner_stays_whatever_its_triangles_look_like() {
+    let mut mesh = sheet(8, 0.3, 0.45, 4);
+    let corner = 4 * 9 + 4;
+    mesh.0[corner][0] -= 0.09; // slivers on one side
+    let before = mesh.clone();
+    let ell = [[corner as u32, corner as u32 + 1], [corner as u32, corner as u32 + 9]];
+    let constraints = Constraints { feature_edges: &ell, ..Constraints::default() };
+    let report = smooth(&mut mesh.0, &mesh.1, &Options::default(), &constraints, &mut silent).unwrap();
+    assert_eq!(report.feature_edges, 2);
+    assert!(!moved(&before, &mesh).contains(&corner));
+    run(&mut mesh, &Options::default());
+    assert!(moved(&before, &mesh).contains(&corner), "unmarked it is free");
+}
+
+#[test]
 fn locked_vertices_keep_their_bits() {
     let before = torus(16, 10, 0.3, 5);
     let mut after = before.clone();
@@ -318,7 +333,8 @@ fn each_misuse_names_its_offender() {
 
 #[test]
 fn each_option_out_of_range_is_named() {
-    let set: [(&str, fn(&mut Options, f64), &[f64]); 7] = [
+    type Setter = fn(&mut Options, f64);
+    let set: [(&str, Setter, &[f64]); 7] = [
         ("iterations", |o, x| o.iterations = x as u32, &[10_001.0]),
         ("relaxation", |o, x| o.relaxation = x, &[0.0, -1.0, 2.1, f64::NAN]),
         ("interval_width", |o, x| o.interval_width = x, &[0.0, 1e-4, 1e4, f64::NAN]),

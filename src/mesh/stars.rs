@@ -82,14 +82,10 @@ impl Stars {
     /// The ring vertices before and after position `i`, if the edge to it has a triangle on either side.
     pub fn flanks(&self, v: u32, i: usize) -> Option<[u32; 2]> {
         let ring = self.ring(v);
-        let last = ring.len() - 1;
-        match self.kind(v) {
-            StarKind::Closed => {
-                Some([ring[if i == 0 { last } else { i - 1 }], ring[if i == last { 0 } else { i + 1 }]])
-            }
-            _ if i > 0 && i < last => Some([ring[i - 1], ring[i + 1]]),
-            _ => None,
-        }
+        let wraps = self.kind(v) == StarKind::Closed;
+        let before = if wraps && i == 0 { ring.last() } else { ring.get(i.wrapping_sub(1)) };
+        let after = if wraps && i + 1 == ring.len() { ring.first() } else { ring.get(i + 1) };
+        Some([*before?, *after?])
     }
 
     /// The third corner of the triangle that has the directed edge q → p, if it is in the star of `p`.
