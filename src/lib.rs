@@ -1,4 +1,4 @@
-//! Better triangles for surface meshes, with the enclosed volume kept exactly.
+#![doc = include_str!("../README.md")]
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
