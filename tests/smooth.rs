@@ -382,7 +382,7 @@ fn tiny_inputs_give_a_result() {
 fn cone(valence: u32) -> Mesh {
     let ring = (0..valence).map(|i| {
         let angle = f64::from(i) / f64::from(valence) * std::f64::consts::TAU;
-        let fold = if i % 2 == 0 { 0.0 } else { 0.01 };
+        let fold = if i % 2 == 0 { 0.0 } else { 1e-6 };
         [angle.cos(), angle.sin(), fold]
     });
     let positions = std::iter::once([0.3, 0.0, 0.5]).chain(ring).collect();
