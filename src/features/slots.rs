@@ -39,6 +39,16 @@ impl SlotSet {
         }
     }
 
+    /// Whether the edge a–b is in the set.
+    pub fn contains_edge(&self, stars: &Stars, a: u32, b: u32) -> bool {
+        self.contains_half(stars, a, b) || self.contains_half(stars, b, a)
+    }
+
+    fn contains_half(&self, stars: &Stars, v: u32, r: u32) -> bool {
+        let found = stars.ring(v).iter().position(|&x| x == r);
+        found.is_some_and(|i| self.contains(stars.ring_slots(v).start + i))
+    }
+
     /// Edges in the set.
     pub fn edge_count(&self, stars: &Stars) -> usize {
         let seen = |v: u32| {

@@ -53,6 +53,17 @@ pub(crate) struct Surroundings<'a> {
     pub max_deviation: Option<f64>,
 }
 
+impl Surroundings<'_> {
+    /// How far a vertex may go from where it was in the original mesh.
+    pub fn leash(&self, v: u32) -> Leash {
+        match self.features.role(v) {
+            _ if !self.keeps_shape => Leash::NONE,
+            Role::Doubtful => NEAR_CORNER,
+            _ => ON_SURFACE,
+        }
+    }
+}
+
 /// Visits stars, with working memory that is reused from one to the next.
 pub(crate) struct Visitor<'a> {
     around: &'a Surroundings<'a>,
@@ -106,7 +117,7 @@ impl<'a> Visitor<'a> {
     /// Halves the step until guard and deviation bound agree.
     fn try_step(&mut self, positions: &mut [DVec3], v: u32, mut step: DVec3) -> Outcome {
         let Surroundings { mesh, stars, .. } = *self.around;
-        self.guard.inspect(mesh, stars, v, &self.star, self.leash(v));
+        self.guard.inspect(mesh, stars, v, &self.star, self.around.leash(v));
         let mut refusal = Outcome::Guard;
         for halving in 0..=HALVINGS {
             let new = mesh.storable(self.star.centre + step);
@@ -123,14 +134,6 @@ impl<'a> Visitor<'a> {
         }
         self.tally.refused += 1;
         refusal
-    }
-
-    fn leash(&self, v: u32) -> Leash {
-        match self.around.features.role(v) {
-            _ if !self.around.keeps_shape => Leash::NONE,
-            Role::Doubtful => NEAR_CORNER,
-            _ => ON_SURFACE,
-        }
     }
 
     /// `Moved` if the vertex may go to `new`, else what speaks against it.
@@ -152,7 +155,7 @@ enum Wanted {
 }
 
 /// The part of `step` orthogonal to the ring's vector area, which leaves the volume as it is.
-fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
+pub(crate) fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
     let square = area.length_squared();
     (square > 0.0).then(|| step - area * (area.dot(step) / square))
 }

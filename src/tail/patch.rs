@@ -1,0 +1,149 @@
+//! The neighbourhood of a tail triangle, taken out of the mesh: two rings of triangles, numbered on their own.
+
+use glam::DVec3;
+
+use super::live::Live;
+use super::report::Reason;
+use crate::features::Role;
+use crate::mesh::StarKind;
+use crate::sweep::Surroundings;
+
+/// Stars of more triangles than this are not taken up whole: their centres stay, so that the work on one tail is bounded.
+const LARGEST_STAR: usize = 48;
+
+/// A triangle of a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Piece {
+    /// Corners, as numbers within the patch.
+    pub corners: [usize; 3],
+    /// Where it lies in the mesh; `None` for one that an operation has made.
+    pub slot: Option<u32>,
+}
+
+/// Geometry and connectivity of a patch; candidates are changed copies of it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Shape {
+    pub positions: Vec<DVec3>,
+    pub pieces: Vec<Piece>,
+}
+
+/// A patch as it lies in the mesh.
+#[derive(Default)]
+pub(super) struct Patch {
+    /// Vertex numbers in the mesh; the corners of the triangle that the patch was taken up for come first.
+    pub vertices: Vec<u32>,
+    /// Why a vertex must not be moved or removed; `None`: it is free, and the patch holds its whole star.
+    pub fixed: Vec<Option<Reason>>,
+    pub shape: Shape,
+}
+
+impl Patch {
+    /// Takes up the triangles around the `core` vertices and around their neighbours.
+    pub fn around(live: &Live, surroundings: &Surroundings<'_>, core: &[u32]) -> Self {
+        let mut patch = Self { vertices: core.to_vec(), ..Self::default() };
+        let mut slots = Vec::new();
+        for v in core {
+            patch.take_up(live, live.around(*v), &mut slots);
+        }
+        let inner = patch.vertices.len();
+        for v in 0..inner {
+            let around = live.around(patch.vertices[v]);
+            if around.len() <= LARGEST_STAR {
+                patch.take_up(live, around, &mut slots);
+            }
+        }
+        let positions = patch.vertices.iter().map(|&v| live.positions[v as usize]);
+        patch.shape.positions = positions.collect();
+        patch.fixed = (0..patch.vertices.len()).map(|v| patch.reason_to_stay(live, surroundings, v, inner)).collect();
+        patch
+    }
+
+    fn take_up(&mut self, live: &Live, around: &[u32], slots: &mut Vec<u32>) {
+        for &slot in around {
+            if !slots.contains(&slot) {
+                slots.push(slot);
+                let corners = live.triangles[slot as usize].map(|v| self.local(v));
+                self.shape.pieces.push(Piece { corners, slot: Some(slot) });
+            }
+        }
+    }
+
+    /// Number of a mesh vertex within the patch, given out at its first mention.
+    fn local(&mut self, v: u32) -> usize {
+        self.vertices.iter().position(|&x| x == v).unwrap_or_else(|| {
+            self.vertices.push(v);
+            self.vertices.len() - 1
+        })
+    }
+
+    fn reason_to_stay(&self, live: &Live, around: &Surroundings<'_>, v: usize, inner: usize) -> Option<Reason> {
+        let vertex = self.vertices[v];
+        match around.features.role(vertex) {
+            Role::Locked => Some(Reason::Locked),
+            Role::Boundary | Role::Rim => Some(Reason::Boundary),
+            Role::Corner if around.stars.kind(vertex) == StarKind::Open => Some(Reason::Boundary),
+            Role::Corner | Role::Crease => Some(Reason::Feature),
+            Role::NonManifold | Role::Unreferenced => Some(Reason::Topology),
+            Role::Free | Role::Doubtful if v >= inner || live.around(vertex).len() > LARGEST_STAR => {
+                Some(Reason::NoGain)
+            }
+            Role::Free | Role::Doubtful => None,
+        }
+    }
+
+    /// Whether the edge between two patch vertices is a feature.
+    pub fn is_feature(&self, around: &Surroundings<'_>, a: usize, b: usize) -> bool {
+        around.features.is_feature(around.stars, self.vertices[a], self.vertices[b])
+    }
+
+    /// Why a vertex must not be removed: as for moving, or because it is the end of features.
+    pub fn reason_to_exist(&self, around: &Surroundings<'_>, v: usize) -> Option<Reason> {
+        let doubtful = around.features.role(self.vertices[v]) == Role::Doubtful;
+        self.fixed[v].or(doubtful.then_some(Reason::Feature))
+    }
+}
+
+impl Shape {
+    pub fn corners(&self, piece: &Piece) -> [DVec3; 3] {
+        piece.corners.map(|v| self.positions[v])
+    }
+
+    /// The ring of `v`, counter-clockwise; `None` unless it closes, passing each vertex once.
+    pub fn ring(&self, v: usize) -> Option<Vec<usize>> {
+        let rim: Vec<_> = self.pieces.iter().filter_map(|p| opposite(p.corners, v)).collect();
+        cycle(&rim)
+    }
+
+    /// The piece that has the directed edge a → b, with its third corner.
+    pub fn beside(&self, a: usize, b: usize) -> Option<(usize, usize)> {
+        let third = |p: &Piece| (0..3).find(|&k| p.corners[k] == a && p.corners[(k + 1) % 3] == b).map(|k| p.corners[(k + 2) % 3]);
+        self.pieces.iter().enumerate().find_map(|(i, p)| third(p).map(|c| (i, c)))
+    }
+}
+
+/// The edge of a triangle opposite to its corner `v`, in the triangle's own direction.
+fn opposite([a, b, c]: [usize; 3], v: usize) -> Option<(usize, usize)> {
+    if a == v {
+        Some((b, c))
+    } else if b == v {
+        Some((c, a))
+    } else if c == v {
+        Some((a, b))
+    } else {
+        None
+    }
+}
+
+/// Chains directed edges into one simple cycle that uses them all.
+pub(super) fn cycle(edges: &[(usize, usize)]) -> Option<Vec<usize>> {
+    let &(first, mut end) = edges.first()?;
+    let mut vertices = vec![first];
+    while end != first {
+        if vertices.contains(&end) {
+            return None;
+        }
+        vertices.push(end);
+        end = edges.iter().find(|e| e.0 == end)?.1;
+    }
+    (vertices.len() == edges.len()).then_some(vertices)
+}

@@ -1,0 +1,43 @@
+//! Whether an operation leaves the surface what it was beside the cavity.
+
+use super::cavity::sides;
+use super::live::Live;
+use super::patch::{Patch, Piece, Shape};
+
+/// Whether new triangles make an edge that is already elsewhere, or a triangle that is there already.
+pub(super) fn is_broken(live: &Live, patch: &Patch, shape: &Shape) -> bool {
+    let removed = slots_taken_out(patch, shape);
+    let remaining = |v: usize| live.around(patch.vertices[v]).iter().filter(|s| removed.binary_search(s).is_err());
+    let old_sides: Vec<_> = patch.shape.pieces.iter().filter(|p| is_in(&removed, p)).flat_map(sides).collect();
+    let new_sides: Vec<_> = fresh(shape).flat_map(sides).collect();
+    let is_rim = |&(a, b): &(usize, usize)| old_sides.contains(&(a, b)) && !old_sides.contains(&(b, a));
+    let is_crowded = |&(a, b): &(usize, usize)| {
+        let other = patch.vertices[b];
+        let both_new = new_sides.iter().filter(|&&s| s == (a, b) || s == (b, a)).count() == 2;
+        !both_new || remaining(a).any(|&s| live.triangles[s as usize].contains(&other))
+    };
+    let is_doubled = |p: &Piece| {
+        let corners = p.corners.map(|v| patch.vertices[v]);
+        remaining(p.corners[0]).any(|&s| corners.iter().all(|v| live.triangles[s as usize].contains(v)))
+    };
+    new_sides.iter().filter(|s| !is_rim(s)).any(is_crowded) || fresh(shape).any(is_doubled)
+}
+
+/// The pieces that an operation has made.
+pub(super) fn fresh(shape: &Shape) -> impl Iterator<Item = &Piece> {
+    shape.pieces.iter().filter(|p| p.slot.is_none())
+}
+
+/// Slots of the patch that are no longer in `shape`, rising.
+pub(super) fn slots_taken_out(patch: &Patch, shape: &Shape) -> Vec<u32> {
+    let mut kept: Vec<_> = shape.pieces.iter().filter_map(|p| p.slot).collect();
+    kept.sort_unstable();
+    let all = patch.shape.pieces.iter().filter_map(|p| p.slot);
+    let mut gone: Vec<_> = all.filter(|s| kept.binary_search(s).is_err()).collect();
+    gone.sort_unstable();
+    gone
+}
+
+fn is_in(slots: &[u32], piece: &Piece) -> bool {
+    piece.slot.is_some_and(|s| slots.binary_search(&s).is_ok())
+}

@@ -1,0 +1,161 @@
+//! One tail triangle: the candidates for its cure, the cheapest first.
+
+use super::accept::Judge;
+use super::collapse::collapse;
+use super::debt;
+use super::flip::flip;
+use super::limits::Limits;
+use super::live::Live;
+use super::patch::{Patch, Shape};
+use super::rank::Rank;
+use super::relax::Relaxer;
+use super::remove::remove;
+use super::report::{Defect, Reason};
+use super::topology::fresh;
+use crate::sweep::Surroundings;
+
+/// Rounds of moves over the three corners, and over the whole patch.
+const ROUNDS: [usize; 2] = [2, 3];
+
+/// What can be done to a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Operation {
+    /// Move the corners of the triangle.
+    Move,
+    /// Move all free vertices of the patch.
+    MoveAll,
+    Flip(usize, usize),
+    Collapse(usize, usize),
+    Remove(usize),
+}
+
+/// A change that has been found good.
+pub(super) struct Cure {
+    pub patch: Patch,
+    pub shape: Shape,
+    pub operation: Operation,
+    /// Greatest distance of a vertex that it removes from the triangles that take its place.
+    pub lost_height: f64,
+}
+
+/// Treats tail triangles, with working memory that is reused.
+pub(super) struct Surgeon<'a> {
+    around: &'a Surroundings<'a>,
+    limits: &'a Limits,
+    relaxer: Relaxer<'a>,
+}
+
+/// What the candidates for one triangle came to.
+struct Findings {
+    before: Rank,
+    best: Option<(Rank, Shape, Operation)>,
+    /// Why candidates that would have cured it were refused, or could not be made.
+    refusals: Vec<Reason>,
+}
+
+impl<'a> Surgeon<'a> {
+    pub fn new(around: &'a Surroundings<'a>, limits: &'a Limits) -> Self {
+        Self { around, limits, relaxer: Relaxer::new(around, limits) }
+    }
+
+    /// The first candidate that takes a triangle of the patch out of the tail; if none does, the one that makes the worst
+    /// triangle best; else the reason.
+    pub fn treat(&mut self, live: &Live, slot: u32) -> Result<Cure, Reason> {
+        let corners = live.triangles[slot as usize];
+        if crate::mesh::repeats_a_vertex(&corners) {
+            return Err(Reason::Topology);
+        }
+        let patch = Patch::around(live, self.around, &corners);
+        let before = Rank::of(self.limits, &patch.shape);
+        let mut findings = Findings { before, best: None, refusals: Vec::new() };
+        for operation in self.operations(live, &patch, slot) {
+            if self.attempt(live, &patch, operation, &mut findings) {
+                break;
+            }
+        }
+        match findings.best {
+            Some((_, shape, operation)) => {
+                let lost_height = Judge { around: self.around, live, patch: &patch }.lost_height(&shape);
+                Ok(Cure { patch, shape, operation, lost_height })
+            }
+            None => Err(findings.refusals.into_iter().min().unwrap_or(Reason::NoGain)),
+        }
+    }
+
+    /// The candidates, the cheapest first.
+    fn operations(&self, live: &Live, patch: &Patch, slot: u32) -> Vec<Operation> {
+        let p = &patch.shape.positions;
+        let mut edges = [(0, 1), (1, 2), (2, 0)];
+        edges.sort_by(|e, f| p[e.0].distance_squared(p[e.1]).total_cmp(&p[f.0].distance_squared(p[f.1])));
+        let flips = edges.iter().rev().map(|&(a, b)| Operation::Flip(a, b));
+        let collapses = edges.iter().map(|&(a, b)| Operation::Collapse(a, b));
+        // The largest angle lies opposite the longest edge.
+        let removals = edges.iter().rev().map(|&(a, b)| Operation::Remove(3 - a - b));
+        let mut all = vec![Operation::Move, Operation::MoveAll];
+        all.extend(flips);
+        if self.limits.defect(live.corners(slot)) == Defect::Needle {
+            all.extend(collapses.chain(removals));
+        } else {
+            all.extend(removals.chain(collapses));
+        }
+        all
+    }
+
+    /// Tries one candidate. True if it cures.
+    fn attempt(&mut self, live: &Live, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
+        match self.candidate(patch, operation) {
+            Ok(shape) => self.consider(live, patch, shape, operation, findings),
+            Err(reason) => {
+                findings.refusals.push(reason);
+                false
+            }
+        }
+    }
+
+    /// Carries an operation out on a copy of the patch, pays its volume debt and relaxes the surroundings.
+    fn candidate(&mut self, patch: &Patch, operation: Operation) -> Result<Shape, Reason> {
+        let all: Vec<_> = (0..patch.vertices.len()).collect();
+        let mut shape = match operation {
+            Operation::Move => {
+                let mut shape = patch.shape.clone();
+                self.relaxer.relax_all(patch, &mut shape, &all[..3], ROUNDS[0]);
+                return Ok(shape);
+            }
+            Operation::MoveAll => patch.shape.clone(),
+            Operation::Flip(a, b) => flip(patch, self.around, a, b)?,
+            Operation::Collapse(a, b) => collapse(patch, self.around, a, b)?.0,
+            Operation::Remove(v) => remove(patch, self.around, v)?,
+        };
+        if fresh(&shape).next().is_some() && !debt::pay(&mut self.relaxer, patch, &mut shape, &all) {
+            return Err(Reason::Fold);
+        }
+        self.relaxer.relax_all(patch, &mut shape, &all, ROUNDS[1]);
+        Ok(shape)
+    }
+
+    /// Notes a candidate if it is the best so far and nothing speaks against it. True if it cures.
+    fn consider(
+        &mut self,
+        live: &Live,
+        patch: &Patch,
+        shape: Shape,
+        operation: Operation,
+        findings: &mut Findings,
+    ) -> bool {
+        let rank = Rank::of(self.limits, &shape);
+        let cures = rank.cures(&findings.before);
+        let best_so_far = findings.best.as_ref().map_or(&findings.before, |best| &best.0);
+        if !cures && rank.compare(best_so_far).is_ge() {
+            return false;
+        }
+        let judge = Judge { around: self.around, live, patch };
+        if let Some(reason) = judge.objection(&shape) {
+            if cures {
+                findings.refusals.push(reason);
+            }
+            return false;
+        }
+        findings.best = Some((rank, shape, operation));
+        cures
+    }
+}
