@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::cavity::sides;
 use super::live::Live;
-use super::patch::{Patch, Piece, Shape};
+use super::patch::{Freedom, Patch, Piece, Shape};
 use super::report::Reason;
 use super::topology::{self, fresh};
 use crate::deviation::{Surface, nearest_on_triangle};
@@ -135,7 +135,7 @@ impl Judge<'_> {
 
     /// Vertices that no triangle has any more.
     pub fn lost<'s>(&'s self, shape: &'s Shape) -> impl Iterator<Item = usize> + 's {
-        let is_free = |v: &usize| self.patch.fixed[*v].is_none();
+        let is_free = |v: &usize| self.patch.freedom[*v] == Freedom::Full;
         (0..self.patch.vertices.len())
             .filter(is_free)
             .filter(|v| shape.pieces.iter().all(|p| !p.corners.contains(v)))

@@ -1,6 +1,6 @@
 //! A cavity: the triangles that an operation takes away, and the rim of the hole.
 
-use super::patch::{Patch, Piece, Shape, cycle};
+use super::patch::{Freedom, Patch, Piece, Shape, cycle};
 use super::report::Reason;
 use crate::sweep::Surroundings;
 
@@ -53,7 +53,7 @@ pub(super) fn sides(piece: &Piece) -> [(usize, usize); 3] {
 
 /// Whether the caller has locked all corners of a piece, so that it must stay.
 pub(super) fn is_locked(patch: &Patch, piece: &Piece) -> bool {
-    piece.corners.iter().all(|&v| patch.fixed[v] == Some(Reason::Locked))
+    piece.corners.iter().all(|&v| patch.freedom[v] == Freedom::None(Reason::Locked))
 }
 
 /// Whether two triangles have the same corners and winding.

@@ -12,7 +12,7 @@ use crate::sweep::Surroundings;
 /// Collapses the edge between `a` and `b` into its middle; the end with the lower number in the mesh survives.
 pub(super) fn collapse(patch: &Patch, around: &Surroundings<'_>, a: usize, b: usize) -> Result<(Shape, usize), Reason> {
     let (kept, lost) = if patch.vertices[a] < patch.vertices[b] { (a, b) } else { (b, a) };
-    let stays = patch.reason_to_exist(around, kept).or(patch.reason_to_exist(around, lost));
+    let stays = patch.reason_to_exist(kept).or(patch.reason_to_exist(lost));
     if let Some(reason) = stays {
         return Err(reason);
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::patch::{Patch, Shape};
+use super::patch::{Freedom, Patch, Shape};
 use super::relax::Relaxer;
 use crate::star::double_vector_area;
 
@@ -22,13 +22,13 @@ pub(super) fn pay(relaxer: &mut Relaxer<'_>, patch: &Patch, shape: &mut Shape, p
         return true;
     }
     let mut best: Option<(f64, f64, usize, DVec3)> = None;
-    for &v in payers.iter().filter(|&&v| patch.fixed[v].is_none()) {
+    for &v in payers.iter().filter(|&&v| matches!(patch.freedom[v], Freedom::Full | Freedom::Move)) {
         if !relaxer.take(patch, shape, v) {
             continue;
         }
         let area = double_vector_area(&relaxer.star().rim);
         let step = area * (-debt / area.length_squared());
-        let (worst, length) = (relaxer.worst(step).max(1.0), step.length());
+        let (worst, length) = (relaxer.worst(step, f64::INFINITY).max(1.0), step.length());
         let is_better = best.is_none_or(|(w, l, ..)| (worst, length) < (w, l));
         if step.is_finite() && is_better {
             relaxer.inspect(patch, v);

@@ -20,6 +20,19 @@ pub(super) struct Piece {
     pub slot: Option<u32>,
 }
 
+/// What may be done to a vertex of a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Freedom {
+    /// It may move in its tangent plane, pay volume debts and be removed.
+    Full,
+    /// It may move in its tangent plane and pay volume debts.
+    Move,
+    /// It may slide along its crease.
+    Slide,
+    /// It stays.
+    None(Reason),
+}
+
 /// Geometry and connectivity of a patch; candidates are changed copies of it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Shape {
@@ -32,8 +45,8 @@ pub(super) struct Shape {
 pub(super) struct Patch {
     /// Vertex numbers in the mesh; the corners of the triangle that the patch was taken up for come first.
     pub vertices: Vec<u32>,
-    /// Why a vertex must not be moved or removed; `None`: it is free, and the patch holds its whole star.
-    pub fixed: Vec<Option<Reason>>,
+    /// Of each vertex; those that may move have their whole star in the patch.
+    pub freedom: Vec<Freedom>,
     pub shape: Shape,
 }
 
@@ -54,7 +67,7 @@ impl Patch {
         }
         let positions = patch.vertices.iter().map(|&v| live.positions[v as usize]);
         patch.shape.positions = positions.collect();
-        patch.fixed = (0..patch.vertices.len()).map(|v| patch.reason_to_stay(live, surroundings, v, inner)).collect();
+        patch.freedom = (0..patch.vertices.len()).map(|v| patch.freedom(live, surroundings, v, v < inner)).collect();
         patch
     }
 
@@ -76,18 +89,19 @@ impl Patch {
         })
     }
 
-    fn reason_to_stay(&self, live: &Live, around: &Surroundings<'_>, v: usize, inner: usize) -> Option<Reason> {
+    fn freedom(&self, live: &Live, around: &Surroundings<'_>, v: usize, inner: bool) -> Freedom {
         let vertex = self.vertices[v];
+        let is_whole = inner && live.around(vertex).len() <= LARGEST_STAR;
         match around.features.role(vertex) {
-            Role::Locked => Some(Reason::Locked),
-            Role::Boundary | Role::Rim => Some(Reason::Boundary),
-            Role::Corner if around.stars.kind(vertex) == StarKind::Open => Some(Reason::Boundary),
-            Role::Corner | Role::Crease => Some(Reason::Feature),
-            Role::NonManifold | Role::Unreferenced => Some(Reason::Topology),
-            Role::Free | Role::Doubtful if v >= inner || live.around(vertex).len() > LARGEST_STAR => {
-                Some(Reason::NoGain)
-            }
-            Role::Free | Role::Doubtful => None,
+            Role::Locked => Freedom::None(Reason::Locked),
+            Role::Boundary | Role::Rim => Freedom::None(Reason::Boundary),
+            Role::Corner if around.stars.kind(vertex) == StarKind::Open => Freedom::None(Reason::Boundary),
+            Role::Corner => Freedom::None(Reason::Feature),
+            Role::NonManifold | Role::Unreferenced => Freedom::None(Reason::Topology),
+            _ if !is_whole => Freedom::None(Reason::NoGain),
+            Role::Crease => Freedom::Slide,
+            Role::Doubtful => Freedom::Move,
+            Role::Free => Freedom::Full,
         }
     }
 
@@ -96,10 +110,13 @@ impl Patch {
         around.features.is_feature(around.stars, self.vertices[a], self.vertices[b])
     }
 
-    /// Why a vertex must not be removed: as for moving, or because it is the end of features.
-    pub fn reason_to_exist(&self, around: &Surroundings<'_>, v: usize) -> Option<Reason> {
-        let doubtful = around.features.role(self.vertices[v]) == Role::Doubtful;
-        self.fixed[v].or(doubtful.then_some(Reason::Feature))
+    /// Why a vertex must not be removed, if so.
+    pub fn reason_to_exist(&self, v: usize) -> Option<Reason> {
+        match self.freedom[v] {
+            Freedom::Full => None,
+            Freedom::Move | Freedom::Slide => Some(Reason::Feature),
+            Freedom::None(reason) => Some(reason),
+        }
     }
 }
 

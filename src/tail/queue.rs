@@ -43,6 +43,7 @@ pub(super) struct Queue<'a> {
     limits: &'a Limits,
     options: &'a TailOptions<'a>,
     heap: BinaryHeap<Waiting>,
+    /// How often each slot that was ever in the tail has been treated.
     attempts: BTreeMap<u32, u32>,
     /// Why the last attempt at a slot failed.
     pub reasons: BTreeMap<u32, Reason>,
@@ -54,13 +55,19 @@ impl<'a> Queue<'a> {
     /// All tail triangles of the mesh wait.
     pub fn new(live: &Live, limits: &'a Limits, options: &'a TailOptions<'a>) -> Self {
         let tails = detect::tails(live, limits, options.mask);
-        let heap = tails.map(|(slot, excess)| Waiting { excess, slot }).collect();
-        Self { limits, options, heap, attempts: BTreeMap::new(), reasons: BTreeMap::new(), lost_height: 0.0 }
+        let heap: BinaryHeap<_> = tails.map(|(slot, excess)| Waiting { excess, slot }).collect();
+        let attempts = heap.iter().map(|w| (w.slot, 0)).collect();
+        Self { limits, options, heap, attempts, reasons: BTreeMap::new(), lost_height: 0.0 }
     }
 
     /// How many wait.
     pub fn len(&self) -> usize {
         self.heap.len()
+    }
+
+    /// Slots that still hold a triangle of the tail, rising.
+    pub fn left<'q>(&'q self, live: &'q Live) -> impl Iterator<Item = u32> + 'q {
+        self.attempts.keys().copied().filter(|&slot| detect::excess(live, self.limits, slot).is_some_and(|x| x > 1.0))
     }
 
     /// Treats the worst until none waits any more or the bound on operations is reached. `tell` hears the share of the
@@ -122,7 +129,10 @@ impl<'a> Queue<'a> {
         for slot in slots {
             let asked = self.options.mask.get(live.triangle_source[slot as usize] as usize).copied().unwrap_or(true);
             match detect::excess(live, self.limits, slot) {
-                Some(excess) if excess > 1.0 && asked => self.heap.push(Waiting { excess, slot }),
+                Some(excess) if excess > 1.0 && asked => {
+                    self.attempts.entry(slot).or_insert(0);
+                    self.heap.push(Waiting { excess, slot });
+                }
                 _ => {}
             }
         }

@@ -3,11 +3,11 @@
 use glam::{DVec2, DVec3};
 
 use super::limits::Limits;
-use super::patch::{Patch, Shape};
+use super::patch::{Freedom, Patch, Shape};
 use crate::deviation::Surface;
 use crate::guard::Guard;
 use crate::star::{LocalStar, Operation, TangentPlane, double_vector_area};
-use crate::sweep::{Surroundings, volume_neutral};
+use crate::sweep::{Surroundings, tangent, volume_neutral};
 
 /// Excess at which a star is good enough: just below the thresholds, so that rounding cannot bring it back.
 const GOAL: f64 = 0.99;
@@ -21,7 +21,7 @@ const HALVINGS: u32 = 5;
 /// Steps of a search at most.
 const STEPS: u32 = 12;
 
-/// The eight directions of the search.
+/// The eight directions of the search in a plane.
 const DIRECTIONS: [DVec2; 8] = {
     const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
     [
@@ -60,7 +60,7 @@ impl<'a> Relaxer<'a> {
     pub fn relax_all(&mut self, patch: &Patch, shape: &mut Shape, vertices: &[usize], rounds: usize) {
         for _ in 0..rounds {
             let mut moved = false;
-            for &v in vertices.iter().filter(|&&v| patch.fixed[v].is_none()) {
+            for &v in vertices.iter().filter(|&&v| !matches!(patch.freedom[v], Freedom::None(_))) {
                 moved |= self.relax(patch, shape, v);
             }
             if !moved {
@@ -71,26 +71,46 @@ impl<'a> Relaxer<'a> {
 
     /// Moves `v` so that the worst triangle of its star gets better. Says whether it has moved.
     fn relax(&mut self, patch: &Patch, shape: &mut Shape, v: usize) -> bool {
-        if !self.take(patch, shape, v) || self.worst(DVec3::ZERO) <= GOAL {
+        if !self.take(patch, shape, v) {
             return false;
         }
-        let area = double_vector_area(&self.star.rim);
-        let Some(plane) = TangentPlane::orthogonal_to(area) else {
+        let worst = self.worst(DVec3::ZERO, f64::INFINITY);
+        if worst <= GOAL {
+            return false;
+        }
+        let Some(ways) = self.ways(patch.freedom[v]) else {
             return false;
         };
         self.inspect(patch, v);
-        let mut search = Search { step: DVec3::ZERO, worst: self.worst(DVec3::ZERO) };
-        let target = self.operation.target(&self.star).and_then(|t| volume_neutral(t, area));
-        if let Some(target) = target {
+        let mut search = Search { step: DVec3::ZERO, worst };
+        if let Some(target) = self.target(patch.freedom[v]) {
             self.try_step(&mut search, patch.vertices[v], target);
         }
-        self.descend(&mut search, &plane, patch.vertices[v]);
+        self.descend(&mut search, &ways, patch.vertices[v]);
         shape.positions[v] = self.around.mesh.storable(self.star.centre + search.step);
         shape.positions[v] != self.star.centre
     }
 
-    /// Pattern search: the best of eight steps, halved where none helps.
-    fn descend(&mut self, search: &mut Search, plane: &TangentPlane, vertex: u32) {
+    /// Unit steps that leave the volume as it is: eight in the tangent plane, or two along the crease.
+    fn ways(&self, freedom: Freedom) -> Option<Vec<DVec3>> {
+        if freedom == Freedom::Slide {
+            return tangent(&self.star).map(|t| vec![t, -t]);
+        }
+        let plane = TangentPlane::orthogonal_to(double_vector_area(&self.star.rim))?;
+        Some(DIRECTIONS.iter().map(|&d| plane.lift(d)).collect())
+    }
+
+    /// Where the operation on the star would put a vertex that moves in its tangent plane.
+    fn target(&mut self, freedom: Freedom) -> Option<DVec3> {
+        if freedom == Freedom::Slide {
+            return None;
+        }
+        let target = self.operation.target(&self.star)?;
+        volume_neutral(target, double_vector_area(&self.star.rim))
+    }
+
+    /// Pattern search: the best of the ways, with a step that is halved where none helps.
+    fn descend(&mut self, search: &mut Search, ways: &[DVec3], vertex: u32) {
         let lengths: f64 = self.star.rim.iter().skip(1).map(|p| p.length()).sum();
         let mut reach = REACH * lengths / self.star.valence() as f64;
         let mut halvings = 0;
@@ -98,11 +118,15 @@ impl<'a> Relaxer<'a> {
             if search.worst <= GOAL || halvings > HALVINGS {
                 return;
             }
-            let from = search.step;
-            let steps = DIRECTIONS.map(|d| from + plane.lift(d * reach));
-            let ranked = steps.map(|step| (self.worst(step), step));
-            let best = ranked.iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or(from, |r| r.1);
-            if !self.try_step(search, vertex, best) {
+            let mut best = (search.worst, search.step);
+            for way in ways {
+                let step = search.step + *way * reach;
+                let worst = self.worst(step, best.0);
+                if worst < best.0 {
+                    best = (worst, step);
+                }
+            }
+            if !(best.0 < search.worst && self.try_step(search, vertex, best.1)) {
                 reach *= 0.5;
                 halvings += 1;
             }
@@ -113,7 +137,7 @@ impl<'a> Relaxer<'a> {
     fn try_step(&self, search: &mut Search, vertex: u32, step: DVec3) -> bool {
         let new = self.around.mesh.storable(self.star.centre + step);
         let step = new - self.star.centre;
-        let worst = self.worst(step);
+        let worst = self.worst(step, search.worst);
         let helps = worst < search.worst && self.admits(vertex, step);
         if helps {
             *search = Search { step, worst };
@@ -123,12 +147,21 @@ impl<'a> Relaxer<'a> {
 
     /// Takes up the star of `v`; false if it is no closed disc.
     pub fn take(&mut self, patch: &Patch, shape: &Shape, v: usize) -> bool {
-        let ring = shape.ring(v);
-        let numbered = |r: &usize| (patch.vertices[*r], shape.positions[*r]);
-        if let Some(ring) = &ring {
-            self.star.take_ring(shape.positions[v], ring.iter().map(numbered));
+        let Some(mut ring) = shape.ring(v) else {
+            return false;
+        };
+        let mut split = None;
+        if patch.freedom[v] == Freedom::Slide {
+            let marked: Vec<_> = (0..ring.len()).filter(|&i| patch.is_feature(self.around, v, ring[i])).collect();
+            let [first, second] = marked[..] else {
+                return false;
+            };
+            ring.rotate_left(first);
+            split = Some(second - first);
         }
-        ring.is_some()
+        let numbered = |&r: &usize| (patch.vertices[r], shape.positions[r]);
+        self.star.take_ring(shape.positions[v], ring.iter().map(numbered), split);
+        true
     }
 
     /// Prepares the guard for steps of the star that was taken up.
@@ -156,10 +189,16 @@ impl<'a> Relaxer<'a> {
         &self.star
     }
 
-    /// Excess of the worst triangle of the star if the centre goes by `step`.
-    pub fn worst(&self, step: DVec3) -> f64 {
-        let excess = |e: &[DVec3]| self.limits.excess([step, e[0], e[1]]);
-        self.star.rim.windows(2).map(excess).fold(0.0, f64::max)
+    /// Excess of the worst triangle of the star if the centre goes by `step`, or of one that reaches `bound`.
+    pub fn worst(&self, step: DVec3, bound: f64) -> f64 {
+        let mut worst = 0.0_f64;
+        for edge in self.star.rim.windows(2) {
+            worst = worst.max(self.limits.excess([step, edge[0], edge[1]]));
+            if worst >= bound {
+                break;
+            }
+        }
+        worst
     }
 }
 

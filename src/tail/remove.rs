@@ -8,7 +8,7 @@ use crate::sweep::Surroundings;
 
 /// Removes `v` and retriangulates its star.
 pub(super) fn remove(patch: &Patch, around: &Surroundings<'_>, v: usize) -> Result<Shape, Reason> {
-    if let Some(reason) = patch.reason_to_exist(around, v) {
+    if let Some(reason) = patch.reason_to_exist(v) {
         return Err(reason);
     }
     let cavity = Cavity::of_stars(patch, around, &[v])?;

@@ -47,7 +47,7 @@ pub(crate) fn run(
 
     let compact = Compact::new(&live)?;
     let number = |slot: u32| compact.slots.partition_point(|&s| s < slot) as u32;
-    report.leftovers = leftovers::list(&live, &limits, options, &queue.reasons, number);
+    report.leftovers = leftovers::list(&live, &limits, &queue, number);
     report.tails_after = report.leftovers.len();
     report.vertices_removed = live.removed.len();
     report.triangles_removed = live.triangles.len() - compact.slots.len();
