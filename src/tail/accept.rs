@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::cavity::sides;
+use super::limits::Limits;
 use super::live::Live;
 use super::patch::{Freedom, Patch, Piece, Shape};
 use super::report::Reason;
@@ -29,6 +30,7 @@ pub(super) struct Judge<'a> {
     pub around: &'a Surroundings<'a>,
     pub live: &'a Live,
     pub patch: &'a Patch,
+    pub limits: &'a Limits,
 }
 
 impl Judge<'_> {
@@ -38,7 +40,7 @@ impl Judge<'_> {
         let replaced: Vec<_> = self.patch.shape.pieces.iter().filter(|p| !shape_has(shape, p, self.patch)).collect();
         if fresh(shape).next().is_some() && topology::is_broken(self.live, self.patch, shape) {
             Some(Reason::Topology)
-        } else if self.falls_below_floor(shape, &changed, &replaced) || self.bends(shape, &changed, &replaced) {
+        } else if self.worsens(shape, &changed, &replaced) || self.bends(shape, &changed, &replaced) {
             Some(Reason::Fold)
         } else {
             self.strays(shape).then_some(Reason::Deviation)
@@ -49,14 +51,20 @@ impl Judge<'_> {
         piece.slot.is_none() || piece.corners.iter().any(|&v| shape.positions[v] != self.patch.shape.positions[v])
     }
 
-    /// Whether the worst of the changed triangles is below the floor and worse than before.
-    fn falls_below_floor(&self, shape: &Shape, changed: &[&Piece], replaced: &[&Piece]) -> bool {
+    /// Whether the worst of the changed triangles is worse than before: below the floor, or in one of the measures of the
+    /// tail.
+    fn worsens(&self, shape: &Shape, changed: &[&Piece], replaced: &[&Piece]) -> bool {
         let worst = |shape: &Shape, pieces: &[&Piece]| {
             pieces.iter().map(|p| Sides::new(shape.corners(p)).shape()).fold(f64::INFINITY, f64::min)
         };
         let after = worst(shape, changed);
+        let greatest = |shape: &Shape, pieces: &[&Piece]| {
+            let parts = pieces.iter().map(|p| self.limits.parts(shape.corners(p)));
+            parts.fold([1.0; 3], |m: [f64; 3], p| std::array::from_fn(|k| m[k].max(p[k])))
+        };
+        let (old, new) = (greatest(&self.patch.shape, replaced), greatest(shape, changed));
         // Written so that NaN, too, is refused.
-        !(after >= self.around.floor || after >= worst(&self.patch.shape, replaced))
+        old.iter().zip(new).any(|(&old, new)| new > old) || !(after >= self.around.floor || after >= worst(&self.patch.shape, replaced))
     }
 
     /// Whether a new triangle turns from the original surface, or an edge is bent more sharply than any was before.
@@ -127,7 +135,7 @@ impl Judge<'_> {
     pub fn lost_height(&self, shape: &Shape) -> f64 {
         let lost = self.lost(shape).map(|v| self.around.mesh.positions[self.patch.vertices[v] as usize]);
         let distance = |p: DVec3| {
-            let nearest = fresh(shape).map(|t| nearest_on_triangle(p, shape.corners(t)).distance(p));
+            let nearest = shape.pieces.iter().map(|t| nearest_on_triangle(p, shape.corners(t)).distance(p));
             nearest.fold(f64::INFINITY, f64::min)
         };
         lost.map(distance).fold(0.0, f64::max)

@@ -10,7 +10,7 @@ use crate::star::{TangentPlane, double_vector_area};
 use crate::sweep::Surroundings;
 
 /// Collapses the edge between `a` and `b` into its middle; the end with the lower number in the mesh survives.
-pub(super) fn collapse(patch: &Patch, around: &Surroundings<'_>, a: usize, b: usize) -> Result<(Shape, usize), Reason> {
+pub(super) fn collapse(patch: &Patch, around: &Surroundings<'_>, a: usize, b: usize) -> Result<Shape, Reason> {
     let (kept, lost) = if patch.vertices[a] < patch.vertices[b] { (a, b) } else { (b, a) };
     let stays = patch.reason_to_exist(kept).or(patch.reason_to_exist(lost));
     if let Some(reason) = stays {
@@ -21,7 +21,7 @@ pub(super) fn collapse(patch: &Patch, around: &Surroundings<'_>, a: usize, b: us
     let triangles = fill(&patch.shape, &cavity.rim, Some((kept, middle))).ok_or(Reason::Fold)?;
     let mut shape = cavity.filled(&patch.shape, &triangles);
     shape.positions[kept] = middle;
-    Ok((shape, kept))
+    Ok(shape)
 }
 
 /// Triangles that fill a rim, around an inner vertex if there is one, in the plane orthogonal to the rim's vector area.

@@ -30,11 +30,8 @@ pub(super) fn pay(relaxer: &mut Relaxer<'_>, patch: &Patch, shape: &mut Shape, p
         let step = area * (-debt / area.length_squared());
         let (worst, length) = (relaxer.worst(step, f64::INFINITY).max(1.0), step.length());
         let is_better = best.is_none_or(|(w, l, ..)| (worst, length) < (w, l));
-        if step.is_finite() && is_better {
-            relaxer.inspect(patch, v);
-            if relaxer.admits(patch.vertices[v], step) {
-                best = Some((worst, length, v, shape.positions[v] + step));
-            }
+        if step.is_finite() && is_better && relaxer.admits(patch.vertices[v], step) {
+            best = Some((worst, length, v, shape.positions[v] + step));
         }
     }
     if let Some((_, _, v, new)) = best {

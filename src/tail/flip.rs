@@ -21,6 +21,20 @@ pub(super) fn flip(patch: &Patch, around: &Surroundings<'_>, a: usize, b: usize)
     if c == d {
         return Err(Reason::Topology);
     }
+    let triangles = [[a, d, c], [d, b, c]];
+    if !is_convex(shape, &[a, d, b, c], triangles) {
+        return Err(Reason::Fold);
+    }
     let cavity = Cavity { pieces, rim: vec![a, d, b, c] };
-    Ok(cavity.filled(shape, &[[a, d, c], [d, b, c]]))
+    Ok(cavity.filled(shape, &triangles))
+}
+
+/// Whether both new triangles turn the way the quadrilateral does.
+fn is_convex(shape: &Shape, rim: &[usize; 4], triangles: [[usize; 3]; 2]) -> bool {
+    let [p, q, r, s] = rim.map(|v| shape.positions[v]);
+    let outward = (r - p).cross(s - q);
+    triangles.into_iter().all(|t| {
+        let [a, b, c] = t.map(|v| shape.positions[v]);
+        (b - a).cross(c - a).dot(outward) > 0.0
+    })
 }

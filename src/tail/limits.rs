@@ -13,12 +13,19 @@ pub(super) struct Limits {
     min_tangent: f64,
     /// cot(max_angle / 2).
     max_cotangent: f64,
+    /// Square of a mean-ratio shape that no triangle of the tail has, over 12.
+    fine: f64,
 }
 
 impl Limits {
     pub fn new(options: &TailOptions<'_>) -> Self {
         let tangent = |degrees: f64| libm::tan(0.5 * degrees.to_radians());
+        // The best-shaped triangles at each threshold are isosceles.
+        let shape = |base: f64| 12.0 * base * base * (4.0 - base * base) / (base * base + 2.0).powi(2) / 4.0;
+        let base = |degrees: f64| 2.0 * libm::sin(0.5 * degrees.to_radians());
+        let bases = [1.0 / options.edge_ratio, base(options.min_angle), base(options.max_angle)];
         Self {
+            fine: 1.001 / 12.0 * bases.map(shape).into_iter().fold(0.0, f64::max),
             edge_ratio: options.edge_ratio,
             min_tangent: tangent(options.min_angle),
             max_cotangent: 1.0 / tangent(options.max_angle),
@@ -30,6 +37,13 @@ impl Limits {
     pub fn excess(&self, corners: [DVec3; 3]) -> f64 {
         let [ratio, small, large] = self.parts(corners);
         ratio.max(small).max(large)
+    }
+
+    /// Whether a triangle is so well-shaped that its excess cannot be above 1: cheaper to find out than the excess.
+    pub fn is_clearly_fine(&self, [a, b, c]: [DVec3; 3]) -> bool {
+        let (u, v) = (b - a, c - a);
+        let sum = u.length_squared() + v.length_squared() + (c - b).length_squared();
+        u.cross(v).length_squared() >= self.fine * sum * sum && sum > 0.0
     }
 
     /// What is wrong with a triangle of the tail.
@@ -46,7 +60,8 @@ impl Limits {
         }
     }
 
-    fn parts(&self, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
+    /// The three quotients of which the excess is the largest: of the edge ratio, the smallest and the largest angle.
+    pub fn parts(&self, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
         let (u, v) = (b - a, c - a);
         let double_area = u.cross(v).length();
         let [short, middle, long] = sorted([u.length_squared(), v.length_squared(), (c - b).length_squared()]);

@@ -15,7 +15,7 @@ pub struct TailOptions<'a> {
     /// Flip every interior edge that is no feature where the Delaunay criterion in the tangent plane and the normals
     /// allow it, before tails are looked for. Default false.
     pub flips: bool,
-    /// How often one triangle is taken up at most, 1 to 1,000. Default 4; a triangle is taken up again only after
+    /// How often one triangle is taken up at most, 1 to 1,000. Default 3; a triangle is taken up again only after
     /// something near it has changed.
     pub attempts: u32,
     /// Operations that are carried out at most, over the whole mesh; `None`: no bound. Default `None`.
@@ -31,7 +31,7 @@ impl Default for TailOptions<'_> {
             min_angle: 20.0,
             max_angle: 130.0,
             flips: false,
-            attempts: 4,
+            attempts: 3,
             operations: None,
             mask: &[],
         }

@@ -131,6 +131,12 @@ impl Shape {
         cycle(&rim)
     }
 
+    /// Puts the vertices next to `v` into `ring`, in no order and some twice.
+    pub fn neighbours(&self, v: usize, ring: &mut Vec<usize>) {
+        ring.clear();
+        ring.extend(self.pieces.iter().filter_map(|p| opposite(p.corners, v)).flat_map(|(a, b)| [a, b]));
+    }
+
     /// The piece that has the directed edge a → b, with its third corner.
     pub fn beside(&self, a: usize, b: usize) -> Option<(usize, usize)> {
         let third = |p: &Piece| (0..3).find(|&k| p.corners[k] == a && p.corners[(k + 1) % 3] == b).map(|k| p.corners[(k + 2) % 3]);

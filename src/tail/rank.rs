@@ -3,15 +3,27 @@
 use std::cmp::Ordering;
 
 use super::limits::Limits;
-use super::patch::Shape;
+use super::patch::{Freedom, Patch, Piece, Shape};
 
 /// The excesses above 1 in a patch, worst first.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Rank(Vec<f64>);
 
 impl Rank {
+    /// Of all triangles of a shape.
     pub fn of(limits: &Limits, shape: &Shape) -> Self {
-        let mut tail: Vec<_> = shape.pieces.iter().map(|p| limits.excess(shape.corners(p))).filter(|&x| x > 1.0).collect();
+        Self::of_pieces(limits, shape, |_| true)
+    }
+
+    /// Of the triangles that no move can change: no shape that moves lead to from here is better.
+    pub fn of_frozen(limits: &Limits, patch: &Patch, shape: &Shape) -> Self {
+        let is_fixed = |v: usize| matches!(patch.freedom[v], Freedom::None(_));
+        Self::of_pieces(limits, shape, |p| p.corners.into_iter().all(is_fixed))
+    }
+
+    fn of_pieces(limits: &Limits, shape: &Shape, counts: impl Fn(&Piece) -> bool) -> Self {
+        let excess = |p: &Piece| limits.excess(shape.corners(p));
+        let mut tail: Vec<_> = shape.pieces.iter().filter(|p| counts(p)).map(excess).filter(|&x| x > 1.0).collect();
         tail.sort_unstable_by(|a, b| b.total_cmp(a));
         Self(tail)
     }

@@ -21,6 +21,9 @@ const HALVINGS: u32 = 5;
 /// Steps of a search at most.
 const STEPS: u32 = 12;
 
+/// What a step must leave at most of the excess to be worth taking.
+const LEAST_GAIN: f64 = 0.998;
+
 /// The eight directions of the search in a plane.
 const DIRECTIONS: [DVec2; 8] = {
     const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -43,6 +46,10 @@ pub(super) struct Relaxer<'a> {
     operation: Operation<'a>,
     star: LocalStar,
     guard: Guard,
+    /// Whether the guard has seen the star as it was taken up.
+    inspected: bool,
+    /// The triangle that last spoiled a step: likely to spoil the next one, so it is looked at first.
+    culprit: usize,
 }
 
 impl<'a> Relaxer<'a> {
@@ -53,15 +60,25 @@ impl<'a> Relaxer<'a> {
             operation: Operation::new(around.modelling),
             star: LocalStar::default(),
             guard: Guard::new(around.floor),
+            inspected: false,
+            culprit: 0,
         }
     }
 
-    /// Visits the free ones of `vertices` whose stars are not good enough, round after round, until nothing moves.
+    /// Visits those of `vertices` that may move and whose stars are not good enough, round after round, until nothing
+    /// moves. A vertex that has stayed is not visited again before something in its ring has moved.
     pub fn relax_all(&mut self, patch: &Patch, shape: &mut Shape, vertices: &[usize], rounds: usize) {
+        let mut waiting: Vec<_> = patch.freedom.iter().map(|f| !matches!(f, Freedom::None(_))).collect();
+        let mut ring = Vec::new();
         for _ in 0..rounds {
             let mut moved = false;
-            for &v in vertices.iter().filter(|&&v| !matches!(patch.freedom[v], Freedom::None(_))) {
-                moved |= self.relax(patch, shape, v);
+            for &v in vertices {
+                if std::mem::take(&mut waiting[v]) && self.relax(patch, shape, v) {
+                    moved = true;
+                    shape.neighbours(v, &mut ring);
+                    ring.iter().for_each(|&r| waiting[r] = !matches!(patch.freedom[r], Freedom::None(_)));
+                    waiting[v] = true;
+                }
             }
             if !moved {
                 return;
@@ -81,7 +98,6 @@ impl<'a> Relaxer<'a> {
         let Some(ways) = self.ways(patch.freedom[v]) else {
             return false;
         };
-        self.inspect(patch, v);
         let mut search = Search { step: DVec3::ZERO, worst };
         if let Some(target) = self.target(patch.freedom[v]) {
             self.try_step(&mut search, patch.vertices[v], target);
@@ -118,7 +134,7 @@ impl<'a> Relaxer<'a> {
             if search.worst <= GOAL || halvings > HALVINGS {
                 return;
             }
-            let mut best = (search.worst, search.step);
+            let mut best = (search.worst * LEAST_GAIN, search.step);
             for way in ways {
                 let step = search.step + *way * reach;
                 let worst = self.worst(step, best.0);
@@ -126,7 +142,7 @@ impl<'a> Relaxer<'a> {
                     best = (worst, step);
                 }
             }
-            if !(best.0 < search.worst && self.try_step(search, vertex, best.1)) {
+            if best.1 == search.step || !self.try_step(search, vertex, best.1) {
                 reach *= 0.5;
                 halvings += 1;
             }
@@ -134,11 +150,12 @@ impl<'a> Relaxer<'a> {
     }
 
     /// Takes a step if it helps and may be taken.
-    fn try_step(&self, search: &mut Search, vertex: u32, step: DVec3) -> bool {
+    fn try_step(&mut self, search: &mut Search, vertex: u32, step: DVec3) -> bool {
         let new = self.around.mesh.storable(self.star.centre + step);
         let step = new - self.star.centre;
-        let worst = self.worst(step, search.worst);
-        let helps = worst < search.worst && self.admits(vertex, step);
+        let bar = search.worst * LEAST_GAIN;
+        let worst = self.worst(step, bar);
+        let helps = worst < bar && self.admits(vertex, step);
         if helps {
             *search = Search { step, worst };
         }
@@ -161,22 +178,18 @@ impl<'a> Relaxer<'a> {
         }
         let numbered = |&r: &usize| (patch.vertices[r], shape.positions[r]);
         self.star.take_ring(shape.positions[v], ring.iter().map(numbered), split);
+        (self.inspected, self.culprit) = (false, 0);
         true
     }
 
-    /// Prepares the guard for steps of the star that was taken up.
-    pub fn inspect(&mut self, patch: &Patch, v: usize) {
-        let vertex = patch.vertices[v];
-        let leash = self.around.leash(vertex);
-        self.guard.inspect(self.around.mesh, self.around.stars, vertex, &self.star, leash);
-    }
-
-    /// Whether guard and deviation bound let the centre of the inspected star go by `step`.
-    pub fn admits(&self, vertex: u32, step: DVec3) -> bool {
-        let surface = Surface::new(self.around.mesh, self.around.stars);
-        let bound = self.around.max_deviation;
-        self.guard.admits(&self.star, step)
-            && bound.is_none_or(|bound| surface.distance(vertex, self.star.centre + step) <= bound)
+    /// Whether guard and deviation bound let the centre of the star that was taken up, `vertex` in the mesh, go by `step`.
+    pub fn admits(&mut self, vertex: u32, step: DVec3) -> bool {
+        let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
+        if !std::mem::replace(&mut self.inspected, true) {
+            self.guard.inspect(mesh, stars, vertex, &self.star, self.around.leash(vertex));
+        }
+        let is_near = |bound| Surface::new(mesh, stars).distance(vertex, self.star.centre + step) <= bound;
+        self.guard.admits(&self.star, step) && max_deviation.is_none_or(is_near)
     }
 
     /// The nearest position that the caller's buffers can hold.
@@ -189,12 +202,15 @@ impl<'a> Relaxer<'a> {
         &self.star
     }
 
-    /// Excess of the worst triangle of the star if the centre goes by `step`, or of one that reaches `bound`.
-    pub fn worst(&self, step: DVec3, bound: f64) -> f64 {
+    /// Excess of the worst triangle of the star if the centre goes by `step`, or of any that reaches `bound`.
+    pub fn worst(&mut self, step: DVec3, bound: f64) -> f64 {
+        let valence = self.star.valence();
         let mut worst = 0.0_f64;
-        for edge in self.star.rim.windows(2) {
-            worst = worst.max(self.limits.excess([step, edge[0], edge[1]]));
+        for i in 0..valence {
+            let at = (self.culprit + i) % valence;
+            worst = worst.max(self.limits.excess([step, self.star.rim[at], self.star.rim[at + 1]]));
             if worst >= bound {
+                self.culprit = at;
                 break;
             }
         }

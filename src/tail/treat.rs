@@ -53,6 +53,13 @@ struct Findings {
     refusals: Vec<Reason>,
 }
 
+impl Findings {
+    /// What a candidate has to be better than.
+    fn to_beat(&self) -> &Rank {
+        self.best.as_ref().map_or(&self.before, |best| &best.0)
+    }
+}
+
 impl<'a> Surgeon<'a> {
     pub fn new(around: &'a Surroundings<'a>, limits: &'a Limits) -> Self {
         Self { around, limits, relaxer: Relaxer::new(around, limits) }
@@ -75,7 +82,7 @@ impl<'a> Surgeon<'a> {
         }
         match findings.best {
             Some((_, shape, operation)) => {
-                let lost_height = Judge { around: self.around, live, patch: &patch }.lost_height(&shape);
+                let lost_height = Judge { around: self.around, live, patch: &patch, limits: self.limits }.lost_height(&shape);
                 Ok(Cure { patch, shape, operation, lost_height })
             }
             None => Err(findings.refusals.into_iter().min().unwrap_or(Reason::NoGain)),
@@ -103,8 +110,9 @@ impl<'a> Surgeon<'a> {
 
     /// Tries one candidate. True if it cures.
     fn attempt(&mut self, live: &Live, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
-        match self.candidate(patch, operation) {
-            Ok(shape) => self.consider(live, patch, shape, operation, findings),
+        match self.candidate(patch, operation, findings) {
+            Ok(Some(shape)) => self.consider(live, patch, shape, operation, findings),
+            Ok(None) => false,
             Err(reason) => {
                 findings.refusals.push(reason);
                 false
@@ -112,25 +120,25 @@ impl<'a> Surgeon<'a> {
         }
     }
 
-    /// Carries an operation out on a copy of the patch, pays its volume debt and relaxes the surroundings.
-    fn candidate(&mut self, patch: &Patch, operation: Operation) -> Result<Shape, Reason> {
-        let all: Vec<_> = (0..patch.vertices.len()).collect();
+    /// Carries an operation out on a copy of the patch, pays its volume debt and relaxes the surroundings. `None` if what
+    /// no move can change is already too bad.
+    fn candidate(&mut self, patch: &Patch, operation: Operation, found: &Findings) -> Result<Option<Shape>, Reason> {
         let mut shape = match operation {
-            Operation::Move => {
-                let mut shape = patch.shape.clone();
-                self.relaxer.relax_all(patch, &mut shape, &all[..3], ROUNDS[0]);
-                return Ok(shape);
-            }
-            Operation::MoveAll => patch.shape.clone(),
+            Operation::Move | Operation::MoveAll => patch.shape.clone(),
             Operation::Flip(a, b) => flip(patch, self.around, a, b)?,
-            Operation::Collapse(a, b) => collapse(patch, self.around, a, b)?.0,
+            Operation::Collapse(a, b) => collapse(patch, self.around, a, b)?,
             Operation::Remove(v) => remove(patch, self.around, v)?,
         };
+        if Rank::of_frozen(self.limits, patch, &shape).compare(found.to_beat()).is_ge() {
+            return Ok(None);
+        }
+        let all: Vec<_> = (0..patch.vertices.len()).collect();
         if fresh(&shape).next().is_some() && !debt::pay(&mut self.relaxer, patch, &mut shape, &all) {
             return Err(Reason::Fold);
         }
-        self.relaxer.relax_all(patch, &mut shape, &all, ROUNDS[1]);
-        Ok(shape)
+        let (vertices, rounds) = if operation == Operation::Move { (&all[..3], ROUNDS[0]) } else { (&all[..], ROUNDS[1]) };
+        self.relaxer.relax_all(patch, &mut shape, vertices, rounds);
+        Ok(Some(shape))
     }
 
     /// Notes a candidate if it is the best so far and nothing speaks against it. True if it cures.
@@ -144,11 +152,10 @@ impl<'a> Surgeon<'a> {
     ) -> bool {
         let rank = Rank::of(self.limits, &shape);
         let cures = rank.cures(&findings.before);
-        let best_so_far = findings.best.as_ref().map_or(&findings.before, |best| &best.0);
-        if !cures && rank.compare(best_so_far).is_ge() {
+        if !cures && rank.compare(findings.to_beat()).is_ge() {
             return false;
         }
-        let judge = Judge { around: self.around, live, patch };
+        let judge = Judge { around: self.around, live, patch, limits: self.limits };
         if let Some(reason) = judge.objection(&shape) {
             if cures {
                 findings.refusals.push(reason);
