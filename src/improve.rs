@@ -127,12 +127,7 @@ impl<T: Coordinate> Output<T> {
         Ok(Self { positions, triangles, sources, report })
     }
 
-    fn deliver(
-        self,
-        positions: &mut Vec<[T; 3]>,
-        triangles: &mut Vec<[u32; 3]>,
-        sources: &mut Sources,
-    ) -> TailReport {
+    fn deliver(self, positions: &mut Vec<[T; 3]>, triangles: &mut Vec<[u32; 3]>, sources: &mut Sources) -> TailReport {
         *positions = self.positions;
         *triangles = self.triangles;
         *sources = self.sources;

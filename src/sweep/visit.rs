@@ -54,13 +54,14 @@ pub(crate) struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
-    /// How far a vertex may go from where it was in the original mesh.
-    pub fn leash(&self, v: u32) -> Leash {
-        match self.features.role(v) {
-            _ if !self.keeps_shape => Leash::NONE,
-            Role::Doubtful => NEAR_CORNER,
-            _ => ON_SURFACE,
-        }
+    /// How far a sweep may take a vertex from where it was in the original mesh.
+    fn leash(&self, v: u32) -> Leash {
+        if self.keeps_shape { self.close_leash(v) } else { Leash::NONE }
+    }
+
+    /// The same where the shape of the surface is to be kept in any case.
+    pub fn close_leash(&self, v: u32) -> Leash {
+        if self.features.role(v) == Role::Doubtful { NEAR_CORNER } else { ON_SURFACE }
     }
 }
 

@@ -21,9 +21,9 @@ const LEAST_FLATNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Mean-ratio shape below which a triangle's normal is not believed.
 const THIN: f64 = 0.1;
 
-/// Greatest distance of a removed vertex from the new triangles, in units of the mean edge of the patch, where the shape
-/// of the surface is to be kept.
-const ON_SURFACE: f64 = 0.12;
+/// Greatest distance of a removed vertex's original place from the new triangles, in units of the mean edge of the patch:
+/// where the shape of the surface is to be kept, and elsewhere, where the sweeps may have gone as far.
+const LOST: [f64; 2] = [0.12, 0.3];
 
 /// Looks at candidates for one patch.
 pub(super) struct Judge<'a> {
@@ -64,7 +64,8 @@ impl Judge<'_> {
         };
         let (old, new) = (greatest(&self.patch.shape, replaced), greatest(shape, changed));
         // Written so that NaN, too, is refused.
-        old.iter().zip(new).any(|(&old, new)| new > old) || !(after >= self.around.floor || after >= worst(&self.patch.shape, replaced))
+        old.iter().zip(new).any(|(&old, new)| new > old)
+            || !(after >= self.around.floor || after >= worst(&self.patch.shape, replaced))
     }
 
     /// Whether a new triangle turns from the original surface, or an edge is bent more sharply than any was before.
@@ -125,10 +126,8 @@ impl Judge<'_> {
             places.chain(middles).any(|(v, p)| surface.distance(v, p) > bound)
         };
         let lost = self.lost_height(shape);
-        let edges = self.patch.shape.pieces.iter().flat_map(sides);
-        let length = |(a, b): (usize, usize)| self.patch.shape.positions[a].distance(self.patch.shape.positions[b]);
-        let mean = edges.map(length).sum::<f64>() / (3 * self.patch.shape.pieces.len()) as f64;
-        max_deviation.is_some_and(|bound| lost > bound || far(bound)) || keeps_shape && lost > ON_SURFACE * mean
+        max_deviation.is_some_and(|bound| lost > bound || far(bound))
+            || lost > LOST[usize::from(!keeps_shape)] * mean_edge(&self.patch.shape)
     }
 
     /// Greatest distance of a removed vertex from the triangles of `shape`.
@@ -144,15 +143,18 @@ impl Judge<'_> {
     /// Vertices that no triangle has any more.
     pub fn lost<'s>(&'s self, shape: &'s Shape) -> impl Iterator<Item = usize> + 's {
         let is_free = |v: &usize| self.patch.freedom[*v] == Freedom::Full;
-        (0..self.patch.vertices.len())
-            .filter(is_free)
-            .filter(|v| shape.pieces.iter().all(|p| !p.corners.contains(v)))
+        (0..self.patch.vertices.len()).filter(is_free).filter(|v| shape.pieces.iter().all(|p| !p.corners.contains(v)))
     }
 }
 
 /// Whether `shape` has this piece of the patch, unmoved.
 fn shape_has(shape: &Shape, piece: &Piece, patch: &Patch) -> bool {
     shape.pieces.contains(piece) && piece.corners.iter().all(|&v| shape.positions[v] == patch.shape.positions[v])
+}
+
+fn mean_edge(shape: &Shape) -> f64 {
+    let lengths = shape.pieces.iter().flat_map(sides).map(|(a, b)| shape.positions[a].distance(shape.positions[b]));
+    lengths.sum::<f64>() / (3 * shape.pieces.len()) as f64
 }
 
 fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {

@@ -139,7 +139,9 @@ impl Shape {
 
     /// The piece that has the directed edge a → b, with its third corner.
     pub fn beside(&self, a: usize, b: usize) -> Option<(usize, usize)> {
-        let third = |p: &Piece| (0..3).find(|&k| p.corners[k] == a && p.corners[(k + 1) % 3] == b).map(|k| p.corners[(k + 2) % 3]);
+        let third = |p: &Piece| {
+            (0..3).find(|&k| p.corners[k] == a && p.corners[(k + 1) % 3] == b).map(|k| p.corners[(k + 2) % 3])
+        };
         self.pieces.iter().enumerate().find_map(|(i, p)| third(p).map(|c| (i, c)))
     }
 }

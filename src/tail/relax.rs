@@ -16,7 +16,7 @@ const GOAL: f64 = 0.99;
 const REACH: f64 = 0.25;
 
 /// Halvings of the step before the search ends.
-const HALVINGS: u32 = 5;
+const HALVINGS: u32 = 3;
 
 /// Steps of a search at most.
 const STEPS: u32 = 12;
@@ -186,7 +186,7 @@ impl<'a> Relaxer<'a> {
     pub fn admits(&mut self, vertex: u32, step: DVec3) -> bool {
         let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
         if !std::mem::replace(&mut self.inspected, true) {
-            self.guard.inspect(mesh, stars, vertex, &self.star, self.around.leash(vertex));
+            self.guard.inspect(mesh, stars, vertex, &self.star, self.around.close_leash(vertex));
         }
         let is_near = |bound| Surface::new(mesh, stars).distance(vertex, self.star.centre + step) <= bound;
         self.guard.admits(&self.star, step) && max_deviation.is_none_or(is_near)

@@ -82,7 +82,8 @@ impl<'a> Surgeon<'a> {
         }
         match findings.best {
             Some((_, shape, operation)) => {
-                let lost_height = Judge { around: self.around, live, patch: &patch, limits: self.limits }.lost_height(&shape);
+                let lost_height =
+                    Judge { around: self.around, live, patch: &patch, limits: self.limits }.lost_height(&shape);
                 Ok(Cure { patch, shape, operation, lost_height })
             }
             None => Err(findings.refusals.into_iter().min().unwrap_or(Reason::NoGain)),
@@ -136,7 +137,8 @@ impl<'a> Surgeon<'a> {
         if fresh(&shape).next().is_some() && !debt::pay(&mut self.relaxer, patch, &mut shape, &all) {
             return Err(Reason::Fold);
         }
-        let (vertices, rounds) = if operation == Operation::Move { (&all[..3], ROUNDS[0]) } else { (&all[..], ROUNDS[1]) };
+        let (vertices, rounds) =
+            if operation == Operation::Move { (&all[..3], ROUNDS[0]) } else { (&all[..], ROUNDS[1]) };
         self.relaxer.relax_all(patch, &mut shape, vertices, rounds);
         Ok(Some(shape))
     }
