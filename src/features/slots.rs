@@ -39,12 +39,10 @@ impl SlotSet {
         }
     }
 
-    /// Whether the edge a–b is in the set.
+    /// Whether the edge a–b is in the set. Both ends know, unless one has no ring; the shorter ring is asked.
     pub fn contains_edge(&self, stars: &Stars, a: u32, b: u32) -> bool {
-        self.contains_half(stars, a, b) || self.contains_half(stars, b, a)
-    }
-
-    fn contains_half(&self, stars: &Stars, v: u32, r: u32) -> bool {
+        let (m, n) = (stars.ring(a).len(), stars.ring(b).len());
+        let (v, r) = if n == 0 || m != 0 && m <= n { (a, b) } else { (b, a) };
         let found = stars.ring(v).iter().position(|&x| x == r);
         found.is_some_and(|i| self.contains(stars.ring_slots(v).start + i))
     }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::cavity::sides;
 use super::limits::Limits;
 use super::live::Live;
-use super::patch::{Freedom, Patch, Piece, Shape};
+use super::patch::{Freedom, LARGEST_STAR, Patch, Piece, Shape};
 use super::report::Reason;
 use super::topology::{self, fresh};
 use crate::deviation::{Surface, nearest_on_triangle};
@@ -81,10 +81,12 @@ impl Judge<'_> {
         fresh(shape).any(turned) || changed.iter().any(|p| self.flatness(shape, p) < least)
     }
 
-    /// Sum of the unit normals of the original stars of the corners.
+    /// Sum of the unit normals of the original stars of the corners, the largest stars left out.
     fn original_normal(&self, piece: &Piece) -> DVec3 {
-        let star = |v: usize| self.around.stars.double_area(self.around.mesh, self.patch.vertices[v]);
-        piece.corners.iter().map(|&v| star(v).normalize_or_zero()).sum()
+        let Surroundings { mesh, stars, .. } = *self.around;
+        let vertices = piece.corners.iter().map(|&v| self.patch.vertices[v]);
+        let bounded = vertices.filter(|&v| stars.ring(v).len() <= LARGEST_STAR);
+        bounded.map(|v| stars.double_area(mesh, v).normalize_or_zero()).sum()
     }
 
     /// Least cosine between a piece and its neighbours; neighbours beyond features and neighbours without area don't count.
@@ -105,7 +107,7 @@ impl Judge<'_> {
         }
         let (from, to) = (self.patch.vertices[b], self.patch.vertices[a]);
         let has_edge = |t: &[u32; 3]| (0..3).any(|k| t[k] == from && t[(k + 1) % 3] == to);
-        let slots = self.live.around(from).iter();
+        let slots = self.live.around_all(&[from, to]).iter();
         slots.copied().find(|&s| has_edge(&self.live.triangles[s as usize])).map(|s| self.live.corners(s))
     }
 

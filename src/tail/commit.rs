@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::live::Live;
-use super::patch::{Patch, Shape};
+use super::patch::{Patch, Piece, Shape};
 use super::topology::{fresh, slots_taken_out};
 
 /// A triangle that is taken out, and where its parts came from.
@@ -15,9 +15,12 @@ struct Former {
     corner_source: [u32; 3],
 }
 
-/// Replaces the patch by `shape`. Returns the vertices whose stars have changed, as numbers in the mesh.
+/// Replaces the patch by `shape`. Returns the slots of its triangles that are new, have a moved corner, or have a corner in
+/// common with such a triangle or with one that is gone.
 pub(super) fn commit(live: &mut Live, patch: &Patch, shape: &Shape) -> Vec<u32> {
     let touched = touched(patch, shape);
+    let is_near = |p: &&Piece| p.corners.iter().any(|v| touched.binary_search(v).is_ok());
+    let mut near: Vec<_> = shape.pieces.iter().filter(is_near).filter_map(|p| p.slot).collect();
     let former: Vec<_> = slots_taken_out(patch, shape).into_iter().map(|slot| Former::of(live, slot)).collect();
     former.iter().for_each(|f| live.take_out(f.slot));
     let mut free: Vec<_> = former.iter().map(|f| f.slot).collect();
@@ -30,14 +33,15 @@ pub(super) fn commit(live: &mut Live, patch: &Patch, shape: &Shape) -> Vec<u32> 
         live.triangle_source[slot as usize] = source.triangle_source;
         live.corner_source[slot as usize] = corners.map(|v| corner_source(&former, source, v));
         live.put_in(slot, corners);
+        near.push(slot);
     }
     for (&v, &position) in patch.vertices.iter().zip(&shape.positions) {
         live.positions[v as usize] = position;
     }
-    let bare = |v: &&u32| live.around(**v).is_empty();
-    let lost: Vec<_> = touched.iter().filter(bare).copied().collect();
+    let vertices = touched.iter().map(|&v| patch.vertices[v]);
+    let lost: Vec<_> = vertices.filter(|&v| live.around(v).is_empty()).collect();
     live.removed.extend(lost);
-    touched
+    near
 }
 
 impl Former {
@@ -58,7 +62,7 @@ impl Former {
 }
 
 /// The former triangle that a new one takes after: the one with most corners in common, among them the nearest.
-fn source<'f>(former: &'f [Former], corners: [u32; 3], middle: DVec3) -> Option<&'f Former> {
+fn source(former: &[Former], corners: [u32; 3], middle: DVec3) -> Option<&Former> {
     let foreign = |f: &Former| corners.iter().filter(|v| !f.corners.contains(v)).count();
     let distance = |f: &Former| f.middle.distance_squared(middle);
     former.iter().min_by(|f, g| foreign(f).cmp(&foreign(g)).then(distance(f).total_cmp(&distance(g))))
@@ -71,13 +75,13 @@ fn corner_source(former: &[Former], source: &Former, v: u32) -> u32 {
     source.corner_at(v).or_else(any).unwrap_or(source.corner_source[0])
 }
 
-/// Vertices of the triangles that are new or gone or have a moved corner.
-fn touched(patch: &Patch, shape: &Shape) -> Vec<u32> {
+/// Corners of the triangles that are new or gone or have a moved corner, as numbers within the patch, rising.
+fn touched(patch: &Patch, shape: &Shape) -> Vec<usize> {
     let moved = |v: usize| shape.positions[v] != patch.shape.positions[v];
     let gone = patch.shape.pieces.iter().filter(|p| !shape.pieces.contains(p));
     let changed = shape.pieces.iter().filter(|p| p.slot.is_none() || p.corners.iter().any(|&v| moved(v)));
     let mut vertices: Vec<_> = gone.chain(changed).flat_map(|p| p.corners).collect();
     vertices.sort_unstable();
     vertices.dedup();
-    vertices.into_iter().map(|v| patch.vertices[v]).collect()
+    vertices
 }

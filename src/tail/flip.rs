@@ -1,7 +1,7 @@
 //! Flip of an edge: the other diagonal of the quadrilateral of its two triangles.
 
 use super::cavity::{Cavity, is_locked};
-use super::patch::{Patch, Shape};
+use super::patch::{Freedom, Patch, Shape};
 use super::report::Reason;
 use crate::sweep::Surroundings;
 
@@ -12,7 +12,9 @@ pub(super) fn flip(patch: &Patch, around: &Surroundings<'_>, a: usize, b: usize)
         return Err(Reason::Feature);
     }
     let (Some((left, c)), Some((right, d))) = (shape.beside(a, b), shape.beside(b, a)) else {
-        return Err(Reason::Boundary);
+        // Where nothing lies beyond an edge of the patch, that is either the boundary or not known.
+        let at_boundary = [a, b].iter().all(|&v| patch.freedom[v] == Freedom::None(Reason::Boundary));
+        return Err(if at_boundary { Reason::Boundary } else { Reason::Topology });
     };
     let pieces = vec![left.min(right), left.max(right)];
     if pieces.iter().any(|&i| is_locked(patch, &shape.pieces[i])) {

@@ -61,6 +61,13 @@ impl Live {
         }
     }
 
+    /// Slots of the triangles at that one of `vertices` which has the fewest: enough to find a triangle that has them all,
+    /// and never long, unless they are all centres of large stars.
+    pub fn around_all(&self, vertices: &[u32]) -> &[u32] {
+        let stars = vertices.iter().map(|&v| self.around(v));
+        stars.min_by_key(|slots| slots.len()).unwrap_or_default()
+    }
+
     /// Takes a triangle out of its slot.
     pub fn take_out(&mut self, slot: u32) {
         for v in std::mem::replace(&mut self.triangles[slot as usize], GONE) {

@@ -9,7 +9,7 @@ use crate::mesh::StarKind;
 use crate::sweep::Surroundings;
 
 /// Stars of more triangles than this are not taken up whole: their centres stay, so that the work on one tail is bounded.
-const LARGEST_STAR: usize = 48;
+pub(super) const LARGEST_STAR: usize = 48;
 
 /// A triangle of a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,24 +51,39 @@ pub(super) struct Patch {
 }
 
 impl Patch {
-    /// Takes up the triangles around the `core` vertices and around their neighbours.
-    pub fn around(live: &Live, surroundings: &Surroundings<'_>, core: &[u32]) -> Self {
-        let mut patch = Self { vertices: core.to_vec(), ..Self::default() };
+    /// Takes up the triangle in a slot, the triangles around its corners, and those around the neighbours of these.
+    pub fn around(live: &Live, surroundings: &Surroundings<'_>, slot: u32) -> Self {
+        let mut patch = Self { vertices: live.triangles[slot as usize].to_vec(), ..Self::default() };
         let mut slots = Vec::new();
-        for v in core {
-            patch.take_up(live, live.around(*v), &mut slots);
-        }
+        patch.take_up(live, &[slot], &mut slots);
+        patch.take_up_stars(live, 0..3, &mut slots);
         let inner = patch.vertices.len();
-        for v in 0..inner {
-            let around = live.around(patch.vertices[v]);
+        patch.take_up_stars(live, 3..inner, &mut slots);
+        patch.complete(live, surroundings, inner)
+    }
+
+    /// Takes up the triangles around some vertices.
+    pub fn of_stars(live: &Live, surroundings: &Surroundings<'_>, centres: &[u32]) -> Self {
+        let mut patch = Self { vertices: centres.to_vec(), ..Self::default() };
+        patch.take_up_stars(live, 0..centres.len(), &mut Vec::new());
+        patch.complete(live, surroundings, centres.len())
+    }
+
+    /// Takes up the stars of the patch vertices in a range, but those that are too large.
+    fn take_up_stars(&mut self, live: &Live, centres: std::ops::Range<usize>, slots: &mut Vec<u32>) {
+        for v in centres {
+            let around = live.around(self.vertices[v]);
             if around.len() <= LARGEST_STAR {
-                patch.take_up(live, around, &mut slots);
+                self.take_up(live, around, slots);
             }
         }
-        let positions = patch.vertices.iter().map(|&v| live.positions[v as usize]);
-        patch.shape.positions = positions.collect();
-        patch.freedom = (0..patch.vertices.len()).map(|v| patch.freedom(live, surroundings, v, v < inner)).collect();
-        patch
+    }
+
+    /// Adds positions and freedoms; the stars of the first `inner` vertices have been taken up.
+    fn complete(mut self, live: &Live, surroundings: &Surroundings<'_>, inner: usize) -> Self {
+        self.shape.positions = self.vertices.iter().map(|&v| live.positions[v as usize]).collect();
+        self.freedom = (0..self.vertices.len()).map(|v| self.freedom(live, surroundings, v, v < inner)).collect();
+        self
     }
 
     fn take_up(&mut self, live: &Live, around: &[u32], slots: &mut Vec<u32>) {

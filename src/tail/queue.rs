@@ -84,7 +84,7 @@ impl<'a> Queue<'a> {
         let mut operations = 0_usize;
         while self.options.operations.is_none_or(|bound| operations < bound) {
             let Some(slot) = self.next(live) else { break };
-            if treated % INTERVAL == 0 {
+            if treated.is_multiple_of(INTERVAL) {
                 progress::tell(tell, (treated as f64 / first).min(1.0))?;
             }
             treated += 1;
@@ -115,7 +115,7 @@ impl<'a> Queue<'a> {
 
     /// Puts the change into the mesh, and the tail triangles near it back into the queue.
     fn carry_out(&mut self, live: &mut Live, cure: &Cure, report: &mut TailReport) {
-        let touched = commit(live, &cure.patch, &cure.shape);
+        let near = commit(live, &cure.patch, &cure.shape);
         self.lost_height = self.lost_height.max(cure.lost_height);
         match cure.operation {
             Operation::Move | Operation::MoveAll => report.moved += 1,
@@ -123,10 +123,7 @@ impl<'a> Queue<'a> {
             Operation::Collapse(..) => report.collapsed += 1,
             Operation::Remove(_) => report.removed += 1,
         }
-        let mut slots: Vec<_> = touched.iter().flat_map(|&v| live.around(v)).copied().collect();
-        slots.sort_unstable();
-        slots.dedup();
-        for slot in slots {
+        for slot in near {
             let asked = self.options.mask.get(live.triangle_source[slot as usize] as usize).copied().unwrap_or(true);
             match detect::excess(live, self.limits, slot) {
                 Some(excess) if excess > 1.0 && asked => {

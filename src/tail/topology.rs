@@ -7,19 +7,18 @@ use super::patch::{Patch, Piece, Shape};
 /// Whether new triangles make an edge that is already elsewhere, or a triangle that is there already.
 pub(super) fn is_broken(live: &Live, patch: &Patch, shape: &Shape) -> bool {
     let removed = slots_taken_out(patch, shape);
-    let remaining = |v: usize| live.around(patch.vertices[v]).iter().filter(|s| removed.binary_search(s).is_err());
+    let is_there = |corners: &[u32]| {
+        let mut remaining = live.around_all(corners).iter().filter(|s| removed.binary_search(s).is_err());
+        remaining.any(|&s| corners.iter().all(|v| live.triangles[s as usize].contains(v)))
+    };
     let old_sides: Vec<_> = patch.shape.pieces.iter().filter(|p| is_in(&removed, p)).flat_map(sides).collect();
     let new_sides: Vec<_> = fresh(shape).flat_map(sides).collect();
     let is_rim = |&(a, b): &(usize, usize)| old_sides.contains(&(a, b)) && !old_sides.contains(&(b, a));
     let is_crowded = |&(a, b): &(usize, usize)| {
-        let other = patch.vertices[b];
         let both_new = new_sides.iter().filter(|&&s| s == (a, b) || s == (b, a)).count() == 2;
-        !both_new || remaining(a).any(|&s| live.triangles[s as usize].contains(&other))
+        !both_new || is_there(&[patch.vertices[a], patch.vertices[b]])
     };
-    let is_doubled = |p: &Piece| {
-        let corners = p.corners.map(|v| patch.vertices[v]);
-        remaining(p.corners[0]).any(|&s| corners.iter().all(|v| live.triangles[s as usize].contains(v)))
-    };
+    let is_doubled = |p: &Piece| is_there(&p.corners.map(|v| patch.vertices[v]));
     new_sides.iter().filter(|s| !is_rim(s)).any(is_crowded) || fresh(shape).any(is_doubled)
 }
 

@@ -72,7 +72,7 @@ impl<'a> Surgeon<'a> {
         if crate::mesh::repeats_a_vertex(&corners) {
             return Err(Reason::Topology);
         }
-        let patch = Patch::around(live, self.around, &corners);
+        let patch = Patch::around(live, self.around, slot);
         let before = Rank::of(self.limits, &patch.shape);
         let mut findings = Findings { before, best: None, refusals: Vec::new() };
         for operation in self.operations(live, &patch, slot) {
