@@ -6,6 +6,7 @@ mod collapse;
 mod commit;
 mod compact;
 mod debt;
+mod delaunay;
 mod detect;
 mod flip;
 mod leftovers;

@@ -162,6 +162,29 @@ impl<'a> Relaxer<'a> {
         helps
     }
 
+    /// The operation on the star of a vertex that moves in its tangent plane, as a sweep would carry it out. Says whether
+    /// the vertex has moved.
+    pub fn operate(&mut self, patch: &Patch, shape: &mut Shape, v: usize) -> bool {
+        let moves = matches!(patch.freedom[v], Freedom::Full | Freedom::Move);
+        if !moves || !self.take(patch, shape, v) {
+            return false;
+        }
+        let Some(mut step) = self.target(patch.freedom[v]).map(|target| target * self.around.relaxation) else {
+            return false;
+        };
+        let bar = self.worst(DVec3::ZERO, f64::INFINITY).max(GOAL);
+        for _ in 0..=HALVINGS {
+            let new = self.around.mesh.storable(self.star.centre + step);
+            let exact = new - self.star.centre;
+            if self.worst(exact, f64::INFINITY) <= bar && self.admits(patch.vertices[v], exact) {
+                shape.positions[v] = new;
+                return exact != DVec3::ZERO;
+            }
+            step *= 0.5;
+        }
+        false
+    }
+
     /// Takes up the star of `v`; false if it is no closed disc.
     pub fn take(&mut self, patch: &Patch, shape: &Shape, v: usize) -> bool {
         let Some(mut ring) = shape.ring(v) else {

@@ -5,6 +5,8 @@ use std::time::Instant;
 use glam::DVec3;
 
 use super::compact::Compact;
+use super::delaunay::Flipper;
+use super::detect;
 use super::leftovers;
 use super::limits::Limits;
 use super::live::Live;
@@ -16,6 +18,9 @@ use super::treat::Surgeon;
 use crate::error::Error;
 use crate::progress::Progress;
 use crate::sweep::Surroundings;
+
+/// Share of the work that general flips are taken for.
+const FLIPS: f64 = 0.5;
 
 /// What the stage leaves.
 pub(crate) struct Outcome {
@@ -40,10 +45,17 @@ pub(crate) fn run(
     let clock = Instant::now();
     let limits = Limits::new(options);
     let mut live = Live::new(around.mesh, positions)?;
+    let mut report =
+        TailReport { tails_before: detect::tails(&live, &limits, options.mask).count(), ..TailReport::default() };
+    if options.flips {
+        let mut flipper = Flipper::new(around, &limits, &live)?;
+        flipper.run(&mut live, &mut |done| progress(FLIPS * done))?;
+        report.general_flips = flipper.count;
+    }
+    let rest = &mut |done: f64| progress(if options.flips { FLIPS + (1.0 - FLIPS) * done } else { done });
     let mut surgeon = Surgeon::new(around, &limits);
     let mut queue = Queue::new(&live, &limits, options);
-    let mut report = TailReport { tails_before: queue.len(), ..TailReport::default() };
-    queue.run(&mut live, &mut surgeon, &mut report, progress)?;
+    queue.run(&mut live, &mut surgeon, &mut report, rest)?;
 
     let compact = Compact::new(&live)?;
     let number = |slot: u32| compact.slots.partition_point(|&s| s < slot) as u32;
