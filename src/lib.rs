@@ -1,10 +1,12 @@
-//! Better triangles for surface meshes, with the enclosed volume kept exactly.
+#![doc = include_str!("../README.md")]
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 mod deviation;
 mod error;
 mod features;
+#[allow(unsafe_code, non_camel_case_types)]
+mod ffi;
 mod guard;
 mod improve;
 mod memory;

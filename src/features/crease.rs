@@ -49,9 +49,12 @@ struct Dihedral<'a> {
 }
 
 impl Dihedral<'_> {
-    /// Whether the edge v–r, with the third corners `before` and `after` of its triangles, is sharp.
+    /// Whether the edge v–r, with the third corners `before` and `after` of its triangles, is sharp. Beside a triangle that
+    /// is folded over none is.
     fn is_sharp(&self, v: u32, r: u32, [before, after]: [u32; 2]) -> bool {
-        cosine(self.side([r, v, before]), self.side([v, r, after])) < self.sharp
+        let sides = [[r, v, before], [v, r, after]];
+        cosine(self.side(sides[0]), self.side(sides[1])) < self.sharp
+            && !sides.into_iter().any(|triangle| self.stars.is_folded(self.mesh, triangle))
     }
 
     /// Whether the surface is flat or sharp at each of the four edges beside it, and nothing between.

@@ -47,20 +47,23 @@ impl Features {
         constraints: &Constraints<'_>,
     ) -> Result<Self, Error> {
         let mut slots = SlotSet::new(stars)?;
+        let mut marked = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
             crease::mark(mesh, stars, angle, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
             slots.insert_edge(stars, a, b);
+            marked.insert_edge(stars, a, b);
         }
-        let mut features = Self { roles: memory::filled(Role::Free, stars.len())?, slots, edge_count: 0 };
-        let straight = libm::cos(options.feature_angle.unwrap_or(30.0).to_radians());
-        for v in 0..stars.len() as u32 {
-            let locked = constraints.locked.get(v as usize).copied().unwrap_or(false);
-            features.roles[v as usize] = features.role_of(mesh, stars, options, v, locked, straight);
+        let straight = libm::cos(options.feature_angle.unwrap_or(STRAIGHT).to_radians());
+        let judge = Judge { mesh, stars, slots: &slots, marked: &marked, boundary: options.boundary, straight };
+        let mut roles = memory::filled(Role::Free, stars.len())?;
+        for (v, role) in roles.iter_mut().enumerate() {
+            let locked = constraints.locked.get(v).copied().unwrap_or(false);
+            *role = judge.role(v as u32, locked);
         }
-        features.edge_count = features.slots.edge_count(stars);
-        Ok(features)
+        let edge_count = slots.edge_count(stars);
+        Ok(Self { roles, slots, edge_count })
     }
 
     pub fn role(&self, v: u32) -> Role {
@@ -77,32 +80,60 @@ impl Features {
         let mut ends = self.slots.of(stars, v);
         [ends.next().unwrap_or(0), ends.next().unwrap_or(0)]
     }
+}
 
-    fn corner(&self, mesh: &Mesh<'_>, stars: &Stars, v: u32) -> Role {
-        let ends: Vec<usize> = self.slots.of(stars, v).collect();
-        if corner::is_credible(mesh, stars, v, &ends) { Role::Corner } else { Role::Doubtful }
-    }
+/// Turn in degrees past which a feature line has a corner, if the caller gives no feature angle.
+const STRAIGHT: f64 = 30.0;
 
-    fn role_of(&self, mesh: &Mesh<'_>, stars: &Stars, options: &Options, v: u32, locked: bool, straight: f64) -> Role {
-        let ring = stars.ring(v);
-        let marked = self.slots.of(stars, v).count();
-        let line = |first: usize, second: usize| {
-            let p = |i: usize| (mesh.positions[ring[i] as usize] - mesh.positions[v as usize]).normalize_or_zero();
-            -p(first).dot(p(second)) >= straight
-        };
-        match stars.kind(v) {
+/// Decides what each vertex may do.
+struct Judge<'a> {
+    mesh: &'a Mesh<'a>,
+    stars: &'a Stars,
+    /// All feature edges.
+    slots: &'a SlotSet,
+    /// Those that the caller has marked.
+    marked: &'a SlotSet,
+    boundary: Boundary,
+    /// Cosine of the turn past which a line has a corner.
+    straight: f64,
+}
+
+impl Judge<'_> {
+    fn role(&self, v: u32, locked: bool) -> Role {
+        match self.stars.kind(v) {
             StarKind::Empty => Role::Unreferenced,
             _ if locked => Role::Locked,
             StarKind::NonManifold => Role::NonManifold,
-            StarKind::Open if options.boundary == Boundary::Fixed => Role::Boundary,
-            StarKind::Open if marked == 0 && ring.len() > 2 && line(0, ring.len() - 1) => Role::Rim,
-            StarKind::Closed if marked == 0 => Role::Free,
-            StarKind::Closed if marked == 2 => {
-                let [first, second] = self.crease_ends(stars, v);
-                if line(first, second) { Role::Crease } else { self.corner(mesh, stars, v) }
-            }
-            StarKind::Closed => self.corner(mesh, stars, v),
-            StarKind::Open => Role::Corner,
+            StarKind::Open => self.on_boundary(v),
+            StarKind::Closed => self.inside(v),
         }
+    }
+
+    fn on_boundary(&self, v: u32) -> Role {
+        let last = self.stars.ring(v).len() - 1;
+        let is_end_of_feature = self.slots.of(self.stars, v).next().is_some();
+        match self.boundary {
+            Boundary::Fixed => Role::Boundary,
+            Boundary::Slide if !is_end_of_feature && last > 1 && self.is_straight(v, [0, last]) => Role::Rim,
+            Boundary::Slide => Role::Corner,
+        }
+    }
+
+    fn inside(&self, v: u32) -> Role {
+        let ends: Vec<usize> = self.slots.of(self.stars, v).collect();
+        match ends[..] {
+            [] => Role::Free,
+            [first, second] if self.is_straight(v, [first, second]) => Role::Crease,
+            _ if self.marked.of(self.stars, v).next().is_some() => Role::Corner,
+            _ if corner::is_credible(self.mesh, self.stars, v, &ends) => Role::Corner,
+            _ => Role::Doubtful,
+        }
+    }
+
+    /// Whether the line from one ring position over `v` to the other is straight enough to slide along.
+    fn is_straight(&self, v: u32, ends: [usize; 2]) -> bool {
+        let at = |r: u32| self.mesh.positions[r as usize];
+        let [one, other] = ends.map(|i| (at(self.stars.ring(v)[i]) - at(v)).normalize_or_zero());
+        -one.dot(other) >= self.straight
     }
 }

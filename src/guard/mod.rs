@@ -59,7 +59,7 @@ impl Guard {
         self.witnesses.clear();
         witness::of_shapes(star, &mut self.witnesses);
         let size = original::look(mesh, stars, v, star, &mut self.witnesses);
-        self.bar = self.witnesses.iter().fold(self.floor, |least, w| least.min(w.shape));
+        self.bar = self.witnesses.iter().fold(self.floor, |least, w| least.min(w.shape.abs()));
         self.leash = Leash { planes: leash.planes * size, place: leash.place * size };
         self.drift = star.centre - mesh.positions[v as usize];
     }
@@ -73,7 +73,7 @@ impl Guard {
                 let normal = a.cross(b);
                 let shape = witness::signed_shape(a, b, normal, witness.outward);
                 let unfolded = shape >= 0.0 || shape >= witness.shape;
-                shape >= self.bar
+                shape.abs() >= self.bar
                     && unfolded
                     && !witness.is_turned(normal, self.least_cosine)
                     && self.is_near(witness, step)

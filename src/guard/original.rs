@@ -34,15 +34,9 @@ pub(super) fn look(mesh: &Mesh<'_>, stars: &Stars, v: u32, star: &LocalStar, wit
         }
     }
     for (edge, witness) in star.vertices.windows(2).zip(witnesses.iter_mut()) {
-        if witness.normal.dot(area) < 0.0 && is_folded(mesh, stars, edge, witness.normal) {
+        if witness.normal.dot(area) < 0.0 && stars.is_folded(mesh, [v, edge[0], edge[1]]) {
             (witness.normal, witness.plane) = (DVec3::ZERO, DVec3::ZERO);
         }
     }
     (square / witnesses.len() as f64).sqrt()
-}
-
-/// Whether a triangle that opposes its star at one corner, with `normal`, opposes the stars of both its `others` too. Then
-/// it was folded over in the original, and it is right for it to turn.
-fn is_folded(mesh: &Mesh<'_>, stars: &Stars, others: &[u32], normal: DVec3) -> bool {
-    others.iter().all(|&v| stars.double_area(mesh, v).dot(normal) < 0.0)
 }

@@ -82,14 +82,10 @@ impl Stars {
     /// The ring vertices before and after position `i`, if the edge to it has a triangle on either side.
     pub fn flanks(&self, v: u32, i: usize) -> Option<[u32; 2]> {
         let ring = self.ring(v);
-        let last = ring.len() - 1;
-        match self.kind(v) {
-            StarKind::Closed => {
-                Some([ring[if i == 0 { last } else { i - 1 }], ring[if i == last { 0 } else { i + 1 }]])
-            }
-            _ if i > 0 && i < last => Some([ring[i - 1], ring[i + 1]]),
-            _ => None,
-        }
+        let wraps = self.kind(v) == StarKind::Closed;
+        let before = if wraps && i == 0 { ring.last() } else { ring.get(i.wrapping_sub(1)) };
+        let after = if wraps && i + 1 == ring.len() { ring.first() } else { ring.get(i + 1) };
+        Some([*before?, *after?])
     }
 
     /// The third corner of the triangle that has the directed edge q → p, if it is in the star of `p`.
@@ -110,6 +106,13 @@ impl Stars {
         let at = |&r: &u32| mesh.positions[r as usize] - mesh.positions[v as usize];
         let next = ring.iter().skip(1).chain(closing);
         ring.iter().zip(next).map(|(a, b)| at(a).cross(at(b))).sum()
+    }
+
+    /// Whether a triangle opposes the stars of all its corners, as one does that is folded over. Its normal says nothing.
+    pub fn is_folded(&self, mesh: &Mesh<'_>, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = mesh.corners(&triangle);
+        let normal = (b - a).cross(c - a);
+        triangle.iter().all(|&v| self.double_area(mesh, v).dot(normal) < 0.0)
     }
 
     /// Number of slots, for arrays that run beside them.
@@ -164,20 +167,27 @@ fn link(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
     if rim.is_empty() {
         StarKind::Empty
     } else if rim.len() <= QUADRATIC {
-        let first = rim.iter().position(|e| rim.iter().all(|f| f.1 != e.0)).unwrap_or(0);
+        let first = rim.iter().position(|e| rim.iter().all(|f| f.1 != e.0));
         chain(rim, own, first, |a| rim.iter().position(|e| e.0 == a))
     } else {
         rim.sort_unstable();
         let mut ends: Vec<u32> = rim.iter().map(|e| e.1).collect();
         ends.sort_unstable();
-        let first = rim.iter().position(|e| ends.binary_search(&e.0).is_err()).unwrap_or(0);
+        let first = rim.iter().position(|e| ends.binary_search(&e.0).is_err());
         chain(rim, own, first, |a| rim.binary_search_by_key(&a, |e| e.0).ok())
     }
 }
 
-/// Follows the rim from edge `first`; `starting_at` finds the edge that starts at a vertex. Only a walk that takes every
-/// edge exactly once ends as closed or open: a vertex that starts or ends two edges strands one of them.
-fn chain(rim: &[(u32, u32)], own: &mut [u32], first: usize, starting_at: impl Fn(u32) -> Option<usize>) -> StarKind {
+/// Follows the rim from the edge `open_end`, with which a fan begins, or else round from the first one; `starting_at`
+/// finds an edge that starts at a vertex. Only a walk that takes every edge exactly once, and ends where it must, makes a
+/// disc: a vertex that starts or ends two edges strands one of them.
+fn chain(
+    rim: &[(u32, u32)],
+    own: &mut [u32],
+    open_end: Option<usize>,
+    starting_at: impl Fn(u32) -> Option<usize>,
+) -> StarKind {
+    let first = open_end.unwrap_or(0);
     let last_step = rim.len() - 1;
     let mut at = first;
     for step in 0..=last_step {
@@ -186,7 +196,7 @@ fn chain(rim: &[(u32, u32)], own: &mut [u32], first: usize, starting_at: impl Fn
         match starting_at(end) {
             Some(next) if step == last_step && next == first => return StarKind::Closed,
             Some(next) if step < last_step && next != first => at = next,
-            None if step == last_step => {
+            None if step == last_step && open_end.is_some() => {
                 own[step + 1] = end;
                 return StarKind::Open;
             }
@@ -194,4 +204,89 @@ fn chain(rim: &[(u32, u32)], own: &mut [u32], first: usize, starting_at: impl Fn
         }
     }
     StarKind::NonManifold
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The stars of triangles over `count` vertices in places that don't matter.
+    fn stars(count: usize, triangles: &[[u32; 3]]) -> Stars {
+        Stars::new(&Mesh::new(&vec![[0.0_f64; 3]; count], triangles).expect("a mesh")).expect("stars")
+    }
+
+    fn fan(valence: u32, closed: bool) -> Vec<[u32; 3]> {
+        let last = if closed { valence } else { valence - 1 };
+        (0..last).map(|i| [0, i + 1, (i + 1) % valence + 1]).collect()
+    }
+
+    #[test]
+    fn a_closed_fan_is_a_ring_in_order() {
+        for valence in [3, 6, 24, 25, 1000] {
+            let stars = stars(valence as usize + 1, &fan(valence, true));
+            assert_eq!(stars.kind(0), StarKind::Closed);
+            let ring = stars.ring(0);
+            let successor = |i: u32| i % valence + 1;
+            assert_eq!(ring.len(), valence as usize);
+            assert!(ring.windows(2).all(|w| w[1] == successor(w[0])), "{ring:?}");
+            assert_eq!(stars.kind(1), StarKind::Open);
+            assert_eq!(stars.ring(1), &[2, 0, valence]);
+        }
+    }
+
+    #[test]
+    fn an_open_fan_starts_and_ends_on_the_boundary() {
+        for valence in [3, 6, 25, 26, 1000] {
+            let mut triangles = fan(valence, false);
+            triangles.reverse();
+            let stars = stars(valence as usize + 1, &triangles);
+            assert_eq!(stars.kind(0), StarKind::Open);
+            assert_eq!(stars.ring(0), (1..=valence).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn two_fans_at_a_vertex_are_non_manifold() {
+        for valence in [3, 40] {
+            let mut triangles = fan(valence, false);
+            triangles.extend(fan(valence, false).iter().map(|t| t.map(|v| if v == 0 { 0 } else { v + valence })));
+            let stars = stars(2 * valence as usize + 1, &triangles);
+            assert_eq!(stars.kind(0), StarKind::NonManifold);
+            assert!(stars.ring(0).is_empty());
+            assert_eq!(stars.kind(2), StarKind::Open);
+        }
+    }
+
+    #[test]
+    fn fins_duplicates_and_wrong_winding_are_non_manifold() {
+        for valence in [6, 30] {
+            let count = valence as usize + 2;
+            let with = |change: &dyn Fn(&mut Vec<[u32; 3]>)| {
+                let mut triangles = fan(valence, true);
+                change(&mut triangles);
+                stars(count, &triangles).kind(0)
+            };
+            assert_eq!(with(&|t| t.push([0, 2, valence + 1])), StarKind::NonManifold);
+            assert_eq!(with(&|t| t.push([1, valence + 1, 0])), StarKind::NonManifold);
+            assert_eq!(with(&|t| t.push(t[2])), StarKind::NonManifold);
+            assert_eq!(with(&|t| t[1].swap(0, 1)), StarKind::NonManifold);
+        }
+    }
+
+    #[test]
+    fn unused_vertices_and_repeated_corners_are_empty() {
+        let stars = stars(4, &[[1, 1, 2], [3, 2, 3]]);
+        assert!((0..4).all(|v| stars.kind(v) == StarKind::Empty && stars.ring(v).is_empty()));
+    }
+
+    #[test]
+    fn across_finds_the_other_triangle() {
+        let triangles = [[0, 1, 2], [2, 1, 3]];
+        let stars = stars(4, &triangles);
+        assert_eq!(stars.across(1, 2), Some(3), "the triangle with the edge 2 → 1");
+        assert_eq!(stars.across(2, 1), Some(0));
+        assert_eq!(stars.across(0, 1), None);
+        assert_eq!(stars.inner_neighbour(1, 2), stars.ring(1).iter().position(|&r| r == 2));
+        assert_eq!(stars.inner_neighbour(1, 0), None, "a boundary edge");
+    }
 }

@@ -68,3 +68,52 @@ impl Sides {
         libm::atan2(2.0 * self.double_area, sum - 2.0 * side).to_degrees()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sides(b: [f64; 2], c: [f64; 2]) -> Sides {
+        Sides::new([DVec3::ZERO, DVec3::new(b[0], b[1], 0.0), DVec3::new(c[0], c[1], 0.0)])
+    }
+
+    fn near(found: f64, expected: f64) {
+        assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+    }
+
+    #[test]
+    fn the_equilateral_triangle_is_perfect() {
+        let s = sides([1.0, 0.0], [0.5, 0.75_f64.sqrt()]);
+        near(s.edge_ratio(), 1.0);
+        near(s.shape(), 1.0);
+        near(s.radius_ratio(), 1.0);
+        near(s.min_angle(), 60.0);
+        near(s.max_angle(), 60.0);
+    }
+
+    #[test]
+    fn three_four_five() {
+        let s = sides([4.0, 0.0], [0.0, 3.0]);
+        near(s.edge_ratio(), 5.0 / 3.0);
+        near(s.max_angle(), 90.0);
+        near(s.min_angle(), 0.6_f64.asin().to_degrees());
+        near(s.radius_ratio(), 2.5 / 2.0);
+        near(s.shape(), 4.0 * 3.0_f64.sqrt() * 6.0 / 50.0);
+        near(s.double_area(), 12.0);
+    }
+
+    #[test]
+    fn three_points_on_a_line() {
+        let s = sides([2.0, 0.0], [1.0, 0.0]);
+        near(s.edge_ratio(), 2.0);
+        assert_eq!((s.shape(), s.min_angle(), s.max_angle()), (0.0, 0.0, 180.0));
+        assert_eq!(s.radius_ratio(), f64::INFINITY);
+    }
+
+    #[test]
+    fn two_and_three_points_in_one() {
+        assert_eq!(sides([1.0, 0.0], [1.0, 0.0]).edge_ratio(), f64::INFINITY);
+        let point = sides([0.0, 0.0], [0.0, 0.0]);
+        assert_eq!((point.shape(), point.min_angle()), (0.0, 0.0));
+    }
+}

@@ -75,3 +75,59 @@ fn count_up_to(intervals: &[u32], own: usize, interval: u32) -> usize {
         intervals.iter().filter(|&&j| j <= interval).count()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn modelled(samples: &[f64], width: f64, limit: f64) -> Vec<f64> {
+        let options = Options { interval_width: width, sample_limit: limit, ..Options::default() };
+        let mut values = samples.to_vec();
+        Model::new(&options).apply(&mut values, &mut Vec::new());
+        values
+    }
+
+    #[test]
+    fn equal_samples_are_asked_to_be_equilateral() {
+        assert_eq!(modelled(&[1.7; 6], 0.5, 3.0), vec![1.0; 6]);
+    }
+
+    #[test]
+    fn formulas_one_to_four_by_hand() {
+        // Intervals (1, 1.5], (1.5, 2]: one sample in the first, three in the second. M = 1.6, D = 0.06.
+        let found = modelled(&[1.2, 1.6, 1.8, 1.8], 0.5, 3.0);
+        let expected = |f: f64| 1.0 + (-2.0 * 0.06 * (1.0 - f).ln()).sqrt();
+        for (value, f) in found.iter().zip([1.0 / 5.0, 4.0 / 5.0, 4.0 / 5.0, 4.0 / 5.0]) {
+            assert!((value - expected(f)).abs() < 1e-12, "{value} {}", expected(f));
+        }
+    }
+
+    #[test]
+    fn the_end_of_an_interval_belongs_to_it() {
+        let found = modelled(&[1.0, 1.5, 1.500001, 2.0], 0.5, 3.0);
+        assert_eq!(found[0], found[1]);
+        assert!(found[1] < found[2]);
+        assert_eq!(found[2], found[3]);
+    }
+
+    #[test]
+    fn a_sliver_counts_as_the_limit() {
+        assert_eq!(modelled(&[1.2, 1.4, 1e9], 0.5, 3.0), modelled(&[1.2, 1.4, 3.0], 0.5, 3.0));
+        assert_eq!(modelled(&[1.2, 1.4, f64::INFINITY], 0.5, 3.0), modelled(&[1.2, 1.4, 3.0], 0.5, 3.0));
+    }
+
+    #[test]
+    fn tabulated_and_general_stars_agree() {
+        for n in [TABLE, TABLE + 1, 200] {
+            let samples: Vec<f64> = (0..n).map(|i| 1.0 + (i * 37 % n) as f64 / n as f64).collect();
+            let found = modelled(&samples, 0.25, 3.0);
+            let mean = samples.iter().sum::<f64>() / n as f64;
+            let d = samples.iter().map(|a| (a - mean).powi(2)).sum::<f64>() / n as f64;
+            for (a, value) in samples.iter().zip(found) {
+                let upper = (((a - 1.0) / 0.25).ceil().max(1.0)) * 0.25 + 1.0;
+                let f = samples.iter().filter(|&&q| q <= upper).count() as f64 / (n as f64 + 1.0);
+                assert!((value - 1.0 - (-2.0 * d * (1.0 - f).ln()).sqrt()).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -26,3 +26,53 @@ pub(crate) fn center(a: DVec2, b: DVec2, ideal: f64) -> DVec2 {
         foot + inward * (side * (1.0 - side)).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: DVec2 = DVec2::new(1.0, -1.0);
+    const B: DVec2 = DVec2::new(2.0, 1.0);
+
+    /// Edge ratio of the potential form.
+    fn formed(ideal: f64) -> f64 {
+        let c = center(A, B, ideal);
+        edge_ratio(A - c, B - c)
+    }
+
+    #[test]
+    fn the_form_has_the_modelled_edge_ratio() {
+        for ideal in [1.0, 1.1, 1.4, std::f64::consts::SQRT_2, 1.5, 2.0, 5.0, 100.0] {
+            assert!((formed(ideal) / ideal - 1.0).abs() < 1e-9, "{ideal}: {}", formed(ideal));
+        }
+    }
+
+    #[test]
+    fn both_branches_meet_at_half_the_edge_above_its_middle() {
+        let middle = (A + B) * 0.5 + (B - A).perp() * 0.5;
+        for ideal in [std::f64::consts::SQRT_2 - 1e-12, std::f64::consts::SQRT_2 + 1e-12] {
+            assert!(center(A, B, ideal).distance(middle) < 1e-5);
+        }
+    }
+
+    #[test]
+    fn the_short_side_lies_where_the_apex_is() {
+        let c = center(A, B, 4.0);
+        assert!(A.length() < B.length() && c.distance(A) < c.distance(B));
+        let mirrored = center(-B, -A, 4.0);
+        assert!(mirrored.distance(-A) < mirrored.distance(-B));
+    }
+
+    #[test]
+    fn the_apex_is_to_the_left_of_the_edge() {
+        for ideal in [1.0, 1.3, 3.0, 1e6] {
+            assert!((B - A).perp_dot(center(A, B, ideal) - A) > 0.0);
+        }
+    }
+
+    #[test]
+    fn a_side_without_length_has_no_finite_ratio() {
+        assert_eq!(edge_ratio(DVec2::ZERO, B), f64::INFINITY);
+        assert_eq!(edge_ratio(A, A), f64::INFINITY);
+    }
+}

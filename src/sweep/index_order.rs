@@ -19,7 +19,7 @@ pub(crate) fn run(
     let mut visited = 0_usize;
     for _ in 0..iterations {
         for v in 0..positions.len() as u32 {
-            if visited % progress::INTERVAL == 0 {
+            if visited.is_multiple_of(progress::INTERVAL) {
                 progress::tell(tell, visited as f64 / total)?;
             }
             visited += 1;

@@ -5,5 +5,5 @@ mod slide;
 mod visit;
 
 pub(crate) use index_order::run;
-pub(crate) use slide::tangent;
+pub(crate) use slide::direction;
 pub(crate) use visit::{Outcome, Surroundings, Tally, volume_neutral};

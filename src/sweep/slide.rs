@@ -4,37 +4,63 @@ use glam::DVec3;
 
 use crate::star::{LocalStar, double_vector_area};
 
-/// The part of `target` that leads along the feature line through the centre of the star, at most half-way to the next
-/// vertex of the line.
-pub(super) fn along(star: &LocalStar, target: DVec3) -> Option<DVec3> {
-    let tangent = tangent(star)?;
-    let [next, previous] = neighbours(star);
-    let reach = 0.5 * if target.dot(tangent) > 0.0 { next.length() } else { previous.length() };
-    Some(tangent * target.dot(tangent).clamp(-reach, reach))
-}
+/// Sine of the angle within which the triangles of a sector are in one plane.
+const FLAT: f64 = 1e-3;
 
-/// Unit direction of the feature line through the centre of the star.
+/// Sine of the angle between two sectors from which on their planes define a line.
+const MEETING: f64 = 0.1;
+
+/// The part of `target` that leads along the feature line through the centre of the star, at most half way to the next
+/// vertex on it.
 ///
-/// The line is taken as the parabola through the centre and its two neighbours on the feature, and its tangent is brought
-/// into the plane orthogonal to the ring's vector area, so that a slide owes no volume.
-pub(crate) fn tangent(star: &LocalStar) -> Option<DVec3> {
+/// On a crease the direction is orthogonal to the ring's vector area, so that the slide owes no volume: nothing
+/// beside the crease has to be moved to pay for it.
+pub(super) fn along(star: &LocalStar, target: DVec3) -> Option<DVec3> {
+    let direction = direction(star)?;
     let [next, previous] = neighbours(star);
-    let mut tangent = next * previous.length_squared() - previous * next.length_squared();
-    if is_crease(star) {
-        let area = double_vector_area(&star.rim);
-        let square = area.length_squared();
-        if square > 0.0 {
-            tangent -= area * (area.dot(tangent) / square);
-        }
-    }
-    tangent.try_normalize()
+    let forward = target.dot(direction);
+    let reach = 0.5 * if forward * next.dot(direction) > 0.0 { next.length() } else { previous.length() };
+    Some(direction * forward.clamp(-reach, reach))
 }
 
-/// The two neighbours of the centre on the feature.
+/// Unit direction, one of two, in which the centre of the star may slide.
+pub(crate) fn direction(star: &LocalStar) -> Option<DVec3> {
+    let [next, previous] = neighbours(star);
+    let tangent = parabola_tangent(next, previous);
+    if is_crease(star) { neutral_direction(star, tangent) } else { tangent }.try_normalize()
+}
+
+/// The next and the previous vertex of the feature line.
 fn neighbours(star: &LocalStar) -> [DVec3; 2] {
     [star.rim[0], star.rim[if is_crease(star) { star.split } else { star.rim.len() - 1 }]]
 }
 
 fn is_crease(star: &LocalStar) -> bool {
     star.split + 1 < star.rim.len()
+}
+
+/// Tangent at the origin of the parabola through `previous`, the origin, and `next`.
+fn parabola_tangent(next: DVec3, previous: DVec3) -> DVec3 {
+    next * previous.length_squared() - previous * next.length_squared()
+}
+
+/// A direction along the crease in which the volume does not change. Where one side is flat it is the line in which the
+/// planes of the two sides meet, so that what is flat stays flat; else the tangent, brought into the neutral plane.
+fn neutral_direction(star: &LocalStar, tangent: DVec3) -> DVec3 {
+    let mut areas = star.sectors().map(double_vector_area);
+    let (left, right) = (areas.next().unwrap_or_default(), areas.next().unwrap_or_default());
+    let line = left.cross(right);
+    let meets = line.length() >= MEETING * left.length() * right.length();
+    if meets && star.sectors().any(is_flat) {
+        return line;
+    }
+    let area = left + right;
+    let square = area.length_squared();
+    if square > 0.0 { tangent - area * (area.dot(tangent) / square) } else { tangent }
+}
+
+fn is_flat(sector: &[DVec3]) -> bool {
+    let normal = double_vector_area(sector).normalize_or_zero();
+    let leans = |n: DVec3| n.cross(normal).length() > FLAT * n.length();
+    !sector.windows(2).any(|edge| leans(edge[0].cross(edge[1])))
 }

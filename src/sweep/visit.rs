@@ -15,6 +15,9 @@ const HALVINGS: u32 = 3;
 /// Bounds where the shape of the surface is to be kept.
 const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
 
+/// Bounds for a vertex that slides along a crease.
+const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
+
 /// Bounds for a vertex that may be a corner after all.
 const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.25 };
 
@@ -61,7 +64,11 @@ impl Surroundings<'_> {
 
     /// The same where the shape of the surface is to be kept in any case.
     pub fn close_leash(&self, v: u32) -> Leash {
-        if self.features.role(v) == Role::Doubtful { NEAR_CORNER } else { ON_SURFACE }
+        match self.features.role(v) {
+            Role::Crease => ON_CREASE,
+            Role::Doubtful => NEAR_CORNER,
+            _ => ON_SURFACE,
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::patch::{Freedom, Patch, Shape};
 use crate::deviation::Surface;
 use crate::guard::Guard;
 use crate::star::{LocalStar, Operation, TangentPlane, double_vector_area};
-use crate::sweep::{Surroundings, tangent, volume_neutral};
+use crate::sweep::{Surroundings, direction, volume_neutral};
 
 /// Excess at which a star is good enough: just below the thresholds, so that rounding cannot bring it back.
 const GOAL: f64 = 0.99;
@@ -110,7 +110,7 @@ impl<'a> Relaxer<'a> {
     /// Unit steps that leave the volume as it is: eight in the tangent plane, or two along the crease.
     fn ways(&self, freedom: Freedom) -> Option<Vec<DVec3>> {
         if freedom == Freedom::Slide {
-            return tangent(&self.star).map(|t| vec![t, -t]);
+            return direction(&self.star).map(|d| vec![d, -d]);
         }
         let plane = TangentPlane::orthogonal_to(double_vector_area(&self.star.rim))?;
         Some(DIRECTIONS.iter().map(|&d| plane.lift(d)).collect())

@@ -1,0 +1,314 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use qsmesh::Options;
+
+use crate::files::Positions;
+
+const EXAMPLES: &str = "\
+Formats by extension: .ply (ASCII and binary), .obj, .off, .stl.
+Exit codes: 0 done, 1 refused (the reason is on stderr and no file has changed), 2 wrong usage.";
+
+/// Better triangles for surface meshes: vertices move, connectivity and enclosed volume stay.
+#[derive(Debug, Parser)]
+#[command(name = "qsmesh", version, about, after_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The three things that the command does.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Improve the triangles of a mesh file and write it under another name.
+    Smooth(SmoothArguments),
+    /// Measure the quality of a mesh file. Nothing is written.
+    Measure(MeasureArguments),
+    /// Make a mesh with bad triangles, improve it and write both.
+    Demo(DemoArguments),
+}
+
+/// Arguments of `qsmesh smooth`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct SmoothArguments {
+    /// Mesh file to read.
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+
+    /// Mesh file to write; may be IN, since it is replaced only once the new file is whole.
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+
+    /// Write the report as one JSON object to stdout instead of the table.
+    #[arg(long)]
+    pub json: bool,
+
+    /// No table, no notes and no progress bar; errors and --json are still written.
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    // Last, because its heading holds for everything after it.
+    #[command(flatten)]
+    pub method: MethodArguments,
+}
+
+/// Settings of the method.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Method", allow_negative_numbers = true)]
+pub struct MethodArguments {
+    /// Sweeps over the mesh. Range 0 to 10000.
+    #[arg(long, value_name = "N", default_value_t = Options::default().iterations)]
+    pub iterations: u32,
+
+    /// Over-relaxation of each move, as a factor. Range above 0 to 2; 1 is the setting of the original method.
+    #[arg(long, value_name = "W", default_value_t = Options::default().relaxation)]
+    pub relaxation: f64,
+
+    /// Plane into which a star of triangles is projected before its triangles are modelled.
+    #[arg(long, value_enum, default_value_t = Plane::VectorArea)]
+    pub plane: Plane,
+
+    /// Shape that is asked of the triangles of a star.
+    #[arg(long, value_enum, default_value_t = Ideal::Modelled)]
+    pub ideal: Ideal,
+
+    /// Dihedral angle in degrees above which an edge may be a crease that is kept; `off`: no creases. Range above 0 to
+    /// below 180.
+    #[arg(long, value_name = "DEGREES|off", value_parser = parse_angle)]
+    #[arg(default_value_t = Angle(Options::default().feature_angle))]
+    pub feature_angle: Angle,
+
+    /// Vertices on the boundary of an open mesh.
+    #[arg(long, value_enum, default_value_t = Boundary::Fixed)]
+    pub boundary: Boundary,
+
+    /// Greatest distance of a vertex from the original surface: a number in the units of the coordinates, or a number
+    /// with % in percent of the bounding box's diagonal. Range from 0. Default: no bound.
+    #[arg(long, value_name = "D|D%", allow_hyphen_values = true, value_parser = parse_distance)]
+    pub max_deviation: Option<Distance>,
+
+    /// Interval width of the sampling histogram, in units of edge ratio. Range 0.001 to 1000.
+    #[arg(long, value_name = "W", default_value_t = Options::default().interval_width)]
+    pub interval_width: f64,
+
+    /// Edge ratio above which a sample counts as this one. Range from 1.
+    #[arg(long, value_name = "R", default_value_t = Options::default().sample_limit)]
+    pub sample_limit: f64,
+
+    /// Mean-ratio shape (0 no area, 1 equilateral) below which no star's worst triangle may fall, or fall further.
+    /// Range 0 to 1.
+    #[arg(long, value_name = "Q", default_value_t = Options::default().quality_floor)]
+    pub quality_floor: f64,
+}
+
+/// Arguments of `qsmesh measure`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct MeasureArguments {
+    /// Mesh file to read.
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+
+    /// Write the measurement as one JSON object to stdout instead of the table.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `qsmesh demo`.
+#[derive(Debug, Args)]
+pub struct DemoArguments {
+    /// Folder for demo_before.ply and demo_after.ply; it must exist.
+    #[arg(short, long, value_name = "FOLDER", default_value = ".")]
+    pub output: PathBuf,
+}
+
+/// `--plane`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Plane {
+    /// Orthogonal to the vector area of the star's ring.
+    VectorArea,
+    /// Least-squares plane of the star's vertices.
+    LeastSquares,
+}
+
+/// `--ideal`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Ideal {
+    /// Values modelled from the star's own statistics.
+    Modelled,
+    /// Equilateral triangles.
+    Equilateral,
+}
+
+/// `--boundary`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Boundary {
+    /// They stay.
+    Fixed,
+    /// They slide along the boundary; its corners stay.
+    Slide,
+}
+
+/// `--feature-angle`: degrees, or `None` for `off`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Angle(pub Option<f64>);
+
+impl std::fmt::Display for Angle {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            Some(angle) => write!(f, "{angle}"),
+            None => f.write_str("off"),
+        }
+    }
+}
+
+fn parse_angle(text: &str) -> Result<Angle, String> {
+    if text.eq_ignore_ascii_case("off") {
+        return Ok(Angle(None));
+    }
+    text.parse().map(|angle| Angle(Some(angle))).map_err(|_| "neither a number of degrees nor `off`".to_string())
+}
+
+/// `--max-deviation`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Distance {
+    /// In the units of the coordinates.
+    Absolute(f64),
+    /// In percent of the bounding box's diagonal.
+    Percent(f64),
+}
+
+impl Distance {
+    fn in_units(self, positions: &Positions) -> f64 {
+        match self {
+            Self::Absolute(distance) => distance,
+            Self::Percent(percent) => percent / 100.0 * positions.diagonal(),
+        }
+    }
+}
+
+fn parse_distance(text: &str) -> Result<Distance, String> {
+    let (number, kind): (_, fn(f64) -> Distance) = match text.strip_suffix('%') {
+        Some(number) => (number, Distance::Percent),
+        None => (text, Distance::Absolute),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(kind(value)),
+        _ => Err("neither a number from 0 nor such a number with %".to_string()),
+    }
+}
+
+impl MethodArguments {
+    /// As the library takes them, for a mesh at `positions`.
+    pub fn options(&self, positions: &Positions) -> Options {
+        Options { max_deviation: self.max_deviation.map(|distance| distance.in_units(positions)), ..self.unscaled() }
+    }
+
+    /// Ends the process with a usage error if a value is outside its range.
+    pub fn require_valid(&self) {
+        if let Err(qsmesh::Error::BadOption { name, value }) = self.unscaled().validate() {
+            let option = name.replace('_', "-");
+            let message = format!("{value} is outside the range of --{option}; see `qsmesh smooth --help`");
+            let mut command = Arguments::command();
+            command.build();
+            let smooth = command.find_subcommand_mut("smooth").cloned();
+            smooth.unwrap_or(command).error(ErrorKind::ValueValidation, message).exit();
+        }
+    }
+
+    /// Everything but the one option that depends on the mesh.
+    fn unscaled(&self) -> Options {
+        Options {
+            iterations: self.iterations,
+            relaxation: self.relaxation,
+            plane: match self.plane {
+                Plane::VectorArea => qsmesh::Plane::VectorArea,
+                Plane::LeastSquares => qsmesh::Plane::LeastSquares,
+            },
+            ideal: match self.ideal {
+                Ideal::Modelled => qsmesh::Ideal::Modelled,
+                Ideal::Equilateral => qsmesh::Ideal::Equilateral,
+            },
+            interval_width: self.interval_width,
+            sample_limit: self.sample_limit,
+            quality_floor: self.quality_floor,
+            feature_angle: self.feature_angle.0,
+            boundary: match self.boundary {
+                Boundary::Fixed => qsmesh::Boundary::Fixed,
+                Boundary::Slide => qsmesh::Boundary::Slide,
+            },
+            ..Options::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory, Parser};
+
+    use super::{Arguments, Command, Options, Positions};
+
+    fn options(arguments: &[&str]) -> Options {
+        let all = ["qsmesh", "smooth", "a.ply", "-o", "b.ply"].iter().chain(arguments);
+        let Command::Smooth(smooth) = Arguments::try_parse_from(all).unwrap().command else { panic!("not smooth") };
+        smooth.method.options(&Positions::F64(vec![[0.0; 3], [30.0, 40.0, 0.0]]))
+    }
+
+    #[test]
+    fn the_declaration_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn defaults_are_those_of_the_library() {
+        assert_eq!(options(&[]), Options::default());
+    }
+
+    #[test]
+    fn distances_are_absolute_or_relative() {
+        assert_eq!(options(&["--max-deviation", "0.25"]).max_deviation, Some(0.25));
+        assert_eq!(options(&["--max-deviation", "0.5%"]).max_deviation, Some(0.25));
+    }
+
+    #[test]
+    fn every_choice_reaches_the_library() {
+        let chosen = options(&[
+            "--plane",
+            "least-squares",
+            "--ideal",
+            "equilateral",
+            "--boundary",
+            "slide",
+            "--feature-angle",
+            "off",
+            "--iterations",
+            "7",
+            "--relaxation",
+            "1",
+            "--interval-width",
+            "0.1",
+            "--sample-limit",
+            "2",
+            "--quality-floor",
+            "0.25",
+        ]);
+        let expected = Options {
+            plane: qsmesh::Plane::LeastSquares,
+            ideal: qsmesh::Ideal::Equilateral,
+            boundary: qsmesh::Boundary::Slide,
+            feature_angle: None,
+            iterations: 7,
+            relaxation: 1.0,
+            interval_width: 0.1,
+            sample_limit: 2.0,
+            quality_floor: 0.25,
+            ..Options::default()
+        };
+        assert_eq!(chosen, expected);
+    }
+}

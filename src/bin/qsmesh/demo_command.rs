@@ -1,0 +1,26 @@
+//! `qsmesh demo`.
+
+use qsmesh::Options;
+
+use crate::arguments::DemoArguments;
+use crate::failure::Result;
+use crate::files::{MeshFile, Positions, Target};
+use crate::smooth_command::improve;
+use crate::{console, isosurface, table};
+
+/// Cells along each side of the grid that the surface is taken from.
+const CELLS: usize = 38;
+
+/// Makes the mesh, improves it, writes both and reports.
+pub fn run(arguments: &DemoArguments) -> Result<()> {
+    let before = Target::prepare(&arguments.output.join("demo_before.ply"))?;
+    let after = Target::prepare(&arguments.output.join("demo_after.ply"))?;
+    let (points, triangles) = isosurface::extract(isosurface::tangle, 3.0, CELLS);
+    let mesh = MeshFile::new(Positions::F64(points), triangles);
+    mesh.save(&before, &mesh.positions)?;
+    let mut positions = mesh.positions.clone();
+    let report = improve(&mesh, &mut positions, &Options::default(), false)?;
+    mesh.save(&after, &positions)?;
+    console::note(format_args!("wrote {} and {}", before.path().display(), after.path().display()));
+    console::result(&table::of_report(&report))
+}

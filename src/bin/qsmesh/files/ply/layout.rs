@@ -1,0 +1,218 @@
+//! What the header says about the payload.
+
+use std::io::Cursor;
+
+use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::ply::{DefaultElement, Encoding, Header, PropertyType, ScalarType};
+
+use crate::failure::{Failure, Result};
+
+/// A declared property.
+pub struct Property {
+    pub name: String,
+    pub kind: PropertyType,
+}
+
+impl Property {
+    /// Type of its value, or of its values if it is a list.
+    pub fn item(&self) -> &ScalarType {
+        match &self.kind {
+            PropertyType::Scalar(kind) | PropertyType::List(_, kind) => kind,
+        }
+    }
+}
+
+/// A declared element.
+pub struct Element {
+    pub name: String,
+    pub count: usize,
+    pub properties: Vec<Property>,
+}
+
+impl Element {
+    fn property(&self, name: &str) -> Option<usize> {
+        self.properties.iter().position(|property| property.name == name)
+    }
+}
+
+/// Where things are in the payload. Elements and properties are named by their numbers.
+pub struct Layout {
+    pub encoding: Encoding,
+    /// First byte of the payload.
+    pub payload: usize,
+    /// Line of the file in which the payload begins, from 1.
+    pub payload_line: usize,
+    pub elements: Vec<Element>,
+    /// The element of that name.
+    pub vertex: usize,
+    /// Properties x, y, z of a vertex.
+    pub coordinates: [usize; 3],
+    /// Properties nx, ny, nz of a vertex, if all are there and floating-point.
+    pub normals: Option<[usize; 3]>,
+    /// The element of that name and its list of vertex indices.
+    pub face: Option<(usize, usize)>,
+}
+
+/// A number of a vertex row that may be written anew.
+#[derive(Debug, Clone, Copy)]
+pub enum Number {
+    Coordinate(usize),
+    Normal(usize),
+}
+
+/// A property of the vertices that may be written anew.
+#[derive(Debug, Clone, Copy)]
+pub struct Edit {
+    pub property: usize,
+    pub number: Number,
+}
+
+impl Layout {
+    /// From the bytes of a file.
+    pub fn parse(bytes: &[u8]) -> Result<Self> {
+        let payload = end_of_header(bytes)?;
+        let text = String::from_utf8_lossy(&bytes[..payload]);
+        let header = parse_header(&text)?;
+        let elements = elements(&header);
+        check_repetitions(&text, &elements)?;
+        let find = |name: &str| elements.iter().position(|element| element.name == name);
+        let vertex = find("vertex").ok_or_else(|| Failure::new("the header declares no element `vertex`"))?;
+        if find("tristrips").is_some() {
+            return Err(Failure::new("triangle strips (element `tristrips`) cannot be read"));
+        }
+        let face = find("face").map(|face| index_list(&elements[face]).map(|list| (face, list))).transpose()?;
+        let coordinates = coordinates(&elements[vertex])?;
+        let normals = normals(&elements[vertex]);
+        let payload_line = text.lines().count() + 1;
+        Ok(Self { encoding: header.encoding, payload, payload_line, elements, vertex, coordinates, normals, face })
+    }
+
+    /// The type of the coordinates: float or double.
+    pub fn precision(&self) -> Result<ScalarType> {
+        let [x, y, z] = self.coordinates.map(|p| self.elements[self.vertex].properties[p].item());
+        match x {
+            ScalarType::Float | ScalarType::Double if x == y && y == z => Ok(x.clone()),
+            _ => Err(Failure::new("the coordinates x, y, z must be all `float` or all `double`")),
+        }
+    }
+
+    /// Numbers of a vertex row that may be written anew, in the order in which they lie there.
+    pub fn edits(&self, with_normals: bool) -> Vec<Edit> {
+        let coordinate = |axis: usize| Edit { property: self.coordinates[axis], number: Number::Coordinate(axis) };
+        let mut edits: Vec<Edit> = (0..3).map(coordinate).collect();
+        if let Some(normals) = self.normals.filter(|_| with_normals) {
+            edits.extend((0..3).map(|axis| Edit { property: normals[axis], number: Number::Normal(axis) }));
+        }
+        edits.sort_by_key(|edit| edit.property);
+        edits
+    }
+
+    /// What there is beside positions and faces, by name.
+    pub fn beside(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        for (number, element) in self.elements.iter().enumerate() {
+            let is_face = |property| self.face == Some((number, property));
+            let is_position = |property| number == self.vertex && self.coordinates.contains(&property);
+            let known = number == self.vertex || self.face.is_some_and(|(face, _)| face == number);
+            if !known {
+                names.push(format!("element {}", element.name));
+                continue;
+            }
+            for (place, property) in element.properties.iter().enumerate() {
+                if !is_face(place) && !is_position(place) {
+                    names.push(format!("{} {}", element.name, property.name));
+                }
+            }
+        }
+        names
+    }
+}
+
+/// First byte after the line `end_header`.
+fn end_of_header(bytes: &[u8]) -> Result<usize> {
+    if bytes.is_empty() {
+        return Err(Failure::new("the file is empty"));
+    }
+    if !bytes.starts_with(b"ply\n") && !bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply ") {
+        return Err(Failure::new("line 1: a PLY file begins with `ply`"));
+    }
+    let mut start = 0;
+    while let Some(length) = bytes[start..].iter().position(|&b| b == b'\n') {
+        if bytes[start..start + length].trim_ascii() == b"end_header" {
+            return Ok(start + length + 1);
+        }
+        start += length + 1;
+    }
+    // A file without rows may end with the header.
+    if bytes[start..].trim_ascii() == b"end_header" {
+        return Ok(bytes.len());
+    }
+    Err(Failure::new("the header has no line `end_header`"))
+}
+
+fn parse_header(text: &str) -> Result<Header> {
+    let parser = Parser::<DefaultElement>::new();
+    let mut reader = Reader::new(Cursor::new(text.as_bytes()));
+    parser.read_header(&mut reader).map_err(|error| {
+        let line = error.line();
+        let written = line.and_then(|line| text.lines().nth(line - 1)).map(|x| super::super::text::brief(x.trim()));
+        match (line, written) {
+            (Some(line), Some(written)) => Failure::at_line(line, format!("`{written}` is no PLY header line")),
+            _ => Failure::new(format!("the header cannot be read: {error}")),
+        }
+    })
+}
+
+fn elements(header: &Header) -> Vec<Element> {
+    let element = |(name, element): (&String, &ply_rs_bw::ply::ElementDef)| Element {
+        name: name.clone(),
+        count: element.count,
+        properties: element
+            .properties
+            .iter()
+            .map(|(name, property)| Property { name: name.clone(), kind: property.data_type.clone() })
+            .collect(),
+    };
+    header.elements.iter().map(element).collect()
+}
+
+/// The parser lets a later declaration of the same name replace the earlier one, which would misread every row.
+fn check_repetitions(text: &str, elements: &[Element]) -> Result<()> {
+    let lines =
+        |keyword: &str| text.lines().filter(|line| line.split_ascii_whitespace().next() == Some(keyword)).count();
+    if lines("element") != elements.len() {
+        return Err(Failure::new("the header declares two elements of the same name"));
+    }
+    if lines("property") != elements.iter().map(|element| element.properties.len()).sum::<usize>() {
+        return Err(Failure::new("the header declares two properties of the same name in one element"));
+    }
+    Ok(())
+}
+
+fn coordinates(vertex: &Element) -> Result<[usize; 3]> {
+    let find = |name: &str| {
+        let place = vertex.property(name).filter(|&p| matches!(vertex.properties[p].kind, PropertyType::Scalar(_)));
+        place.ok_or_else(|| Failure::new(format!("element `vertex` has no scalar property `{name}`")))
+    };
+    Ok([find("x")?, find("y")?, find("z")?])
+}
+
+fn normals(vertex: &Element) -> Option<[usize; 3]> {
+    let find = |name: &str| {
+        vertex.property(name).filter(|&place| {
+            let kind = &vertex.properties[place].kind;
+            matches!(kind, PropertyType::Scalar(ScalarType::Float | ScalarType::Double))
+        })
+    };
+    Some([find("nx")?, find("ny")?, find("nz")?])
+}
+
+fn index_list(face: &Element) -> Result<usize> {
+    let place = face.property("vertex_indices").or_else(|| face.property("vertex_index"));
+    let place =
+        place.ok_or_else(|| Failure::new("element `face` has no property `vertex_indices` or `vertex_index`"))?;
+    match &face.properties[place].kind {
+        PropertyType::List(_, item) if !matches!(item, ScalarType::Float | ScalarType::Double) => Ok(place),
+        _ => Err(Failure::new(format!("property `{}` must be a list of integers", face.properties[place].name))),
+    }
+}

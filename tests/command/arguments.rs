@@ -1,0 +1,71 @@
+//! The command line itself.
+
+use crate::meshes::sphere;
+use crate::workspace::Workspace;
+
+#[test]
+fn the_version_is_that_of_the_package() {
+    let run = Workspace::new().done(&["--version"]);
+    assert_eq!(run.stdout, format!("qsmesh {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn help_gives_ranges_and_defaults() {
+    let help = Workspace::new().done(&["smooth", "--help"]).stdout;
+    let options = [
+        ("--iterations", "2"),
+        ("--relaxation", "1.2"),
+        ("--plane", "vector-area"),
+        ("--ideal", "modelled"),
+        ("--feature-angle", "30"),
+        ("--boundary", "fixed"),
+        ("--interval-width", "0.5"),
+        ("--sample-limit", "3"),
+        ("--quality-floor", "0.5"),
+    ];
+    for (option, default) in options {
+        let (_, rest) = help.split_once(&format!("\n      {option} ")).unwrap_or_else(|| panic!("{option} is missing"));
+        let text = rest.split("\n      --").next().unwrap();
+        assert!(text.contains(&format!("[default: {default}]")), "{option}: {text}");
+        assert!(text.contains("Range") || text.contains("Possible values"), "{option}: {text}");
+    }
+    assert!(help.contains("--max-deviation") && help.contains("--json") && help.contains("--quiet"));
+}
+
+#[test]
+fn wrong_usage_is_told_apart() {
+    let workspace = Workspace::with(&[("a.off", sphere().off().as_bytes())]);
+    for (option, value) in [
+        ("--relaxation", "2.5"),
+        ("--relaxation", "-1"),
+        ("--iterations", "10001"),
+        ("--feature-angle", "180"),
+        ("--feature-angle", "on"),
+        ("--interval-width", "0"),
+        ("--sample-limit", "nan"),
+        ("--quality-floor", "1.5"),
+        ("--max-deviation", "-1%"),
+        ("--plane", "flat"),
+    ] {
+        let run = workspace.run(&["smooth", "a.off", "-o", "b.off", option, value]);
+        assert_eq!(run.code, 2, "{option} {value}: {}", run.stderr);
+        assert!(run.stderr.contains(option), "{option} {value}: {}", run.stderr);
+    }
+    assert_eq!(workspace.run(&["smooth", "a.off"]).code, 2);
+    assert_eq!(workspace.run(&[]).code, 2);
+    assert_eq!(workspace.names(), ["a.off"]);
+}
+
+#[test]
+fn the_distance_may_be_a_share_of_the_diagonal() {
+    let workspace = Workspace::with(&[("a.off", sphere().off().as_bytes())]);
+    let free = workspace.smooth("a.off", "b.off", &[])["max_deviation"].as_f64().unwrap();
+    // The box around the sphere has sides of about 8.
+    let bound = 0.0004 * 8.0 * 3.0_f64.sqrt();
+    assert!(free > 2.0 * bound, "unbounded: {free}");
+    let report = workspace.smooth("a.off", "c.off", &["--max-deviation", "0.04%"]);
+    let bounded = report["max_deviation"].as_f64().unwrap();
+    assert!(bounded > 0.0 && bounded < 1.1 * bound, "bounded: {bounded}");
+    let still = workspace.smooth("a.off", "d.off", &["--max-deviation", "0"]);
+    assert!(still["max_deviation"].as_f64().unwrap() < 1e-12);
+}

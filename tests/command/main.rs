@@ -1,0 +1,14 @@
+//! The command as its users meet it: files in, files out, exit codes and messages.
+#![cfg(feature = "cli")]
+
+mod arguments;
+mod conversion;
+mod demo;
+mod errors;
+mod meshes;
+mod obj;
+mod off;
+mod output;
+mod ply;
+mod stl;
+mod workspace;

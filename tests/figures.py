@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""Checks the figures that the project promises, on what the command writes.
+
+Where the reference meshes and their ruler lie beside the project (../shared), each row of MESHES is smoothed by the
+command and measured by the ruler, which shares no code with the project. Where they don't, only the demo mesh, which the
+command makes for itself, is checked, and a line says so. The ruler's packages go into a virtual environment in target/.
+"""
+
+import itertools
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SHARED = ROOT.parent / "shared"
+RULER = SHARED / "measure" / "metrics.py"
+COMMAND = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "qsmesh"
+PACKAGES = ["numpy==2.4.*", "libigl==2.6.*", "pymeshlab==2025.7.*"]
+
+OFF = ["--feature-angle", "off"]
+# Mesh, options, bounds on the ruler's figures: at most, or at least where the bound starts with ">".
+MESHES = [
+    ("horse.ply", ["--iterations", "1", "--relaxation", "1", *OFF], {"AR_M": 1.460, "AR_D": 0.062, "AR_max": 6}),
+    ("horse.ply", OFF, {"AR_M": 1.411, "AR_D": 0.051, "amin": ">10", "H_max": 0.004, "selfint": 0}),
+    ("horse.ply", ["--iterations", "10", "--relaxation", "1.6", *OFF], {"AR_M": 1.33}),
+    ("horse.ply", [], {"AR_M": 1.425, "H_max": 0.0012, "amin": ">5"}),
+    ("fandisk.obj", [], {"AR_M": 1.342, "H_max": 0.0010}),
+    ("rockerarm.obj", [], {"AR_M": 1.43, "H_max": 0.0018, "amin": ">8", "flips_same": 0}),
+    ("mc_tangle.ply", [], {"AR_M": 1.420, "amin": ">15", "H_max": 0.0004, "flips_same": 0}),
+    ("plane_graded.off", [], {"AR_M": 1.465, "amin": ">8", "flips_same": 0}),
+    ("nasty_zeroarea.off", OFF, {"amin": ">20"}),
+    ("nasty_zeroarea.off", [], {"nan": 0}),
+    ("nasty_dup.off", [], {"nan": 0}),
+    ("nasty_nonman.off", [], {"nan": 0}),
+]
+# In all of them these hold too.
+ALWAYS = {"nan": 0}
+CLOSED = ["horse.ply", "fandisk.obj", "rockerarm.obj", "mc_tangle.ply", "nasty_zeroarea.off"]
+SETTINGS = [
+    [*plane, *ideal, *features, *sweeps]
+    for plane, ideal, features, sweeps in itertools.product(
+        ([], ["--plane", "least-squares"]),
+        ([], ["--ideal", "equilateral"]),
+        ([], OFF),
+        ([], ["--iterations", "5", "--relaxation", "1.8"]),
+    )
+]
+FLOOR = 0.5
+
+passed, failed = 0, 0
+
+
+def check(holds, what):
+    global passed, failed
+    passed, failed = passed + bool(holds), failed + (not holds)
+    print(("ok    " if holds else "FAILED"), what, flush=True)
+
+
+def smooth(source, target, options):
+    """Runs the command; returns its report."""
+    result = subprocess.run(
+        [COMMAND, "smooth", source, "-o", target, "--json", *options], capture_output=True, text=True, check=False
+    )
+    if result.returncode:
+        raise RuntimeError(f"{source}: {result.stderr.strip()}")
+    return json.loads(result.stdout)
+
+
+def within(value, bound):
+    if isinstance(bound, str):
+        return value is not None and value >= float(bound[1:])
+    return value is not None and value <= bound
+
+
+def check_demo(folder):
+    """The mesh that the command makes for itself gets better, and its volume stays."""
+    run = subprocess.run([COMMAND, "demo", "-o", folder], capture_output=True, text=True, check=False)
+    check(run.returncode == 0, f"demo runs: {run.stderr.strip()}")
+    again = Path(folder) / "again.ply"
+    report = smooth(Path(folder) / "demo_before.ply", again, [])
+    before, after = report["before"], report["after"]
+    check(again.read_bytes() == (Path(folder) / "demo_after.ply").read_bytes(), "demo: smooth writes the same bits again")
+    check(before["below_20"] > 1000, f"demo: {before['below_20']} triangles below 20° before")
+    check(after["below_20"] < before["below_20"] / 20, f"demo: {after['below_20']} after")
+    means = [state["edge_ratio"]["mean"] for state in (before, after)]
+    check(means[1] < means[0] / 5, f"demo: edge_ratio mean {means[0]:.4f} -> {means[1]:.4f}")
+    check(abs(report["volume_relative_change"]) < 1e-6, f"demo: volume {report['volume_relative_change']:.1e}")
+
+
+def check_mesh(ruler, folder, name, options, bounds):
+    source, target = SHARED / "data" / name, Path(folder) / f"out{Path(name).suffix}"
+    report = smooth(source, target, options)
+    positions, triangles = ruler.load(str(source))
+    after, new_triangles = ruler.load(str(target))
+    figures = ruler.compare(positions, triangles, after, new_triangles, si="selfint" in bounds)
+    label = f"{name} {' '.join(options)}"
+    check(len(after) == len(positions) and (triangles == new_triangles).all(), f"{label}: same vertices and triangles")
+    for key, bound in {**ALWAYS, **bounds}.items():
+        check(within(figures[key], bound), f"{label}: {key} {figures[key]:.6g} (bound {bound})")
+    turned, folded = turned_and_folded(positions, after, triangles)
+    check(turned <= folded, f"{label}: {len(turned)} triangles turned, all among the {len(folded)} that came folded over")
+    moved = (positions != after).any(1).sum()
+    check(moved == report["moved"], f"{label}: {moved} vertices moved, the rest has its bits; reported {report['moved']}")
+    check(sum(report["kept"].values()) + moved == len(positions), f"{label}: every vertex is counted")
+
+
+def turned_and_folded(before, after, triangles):
+    """Triangles turned by more than a right angle, and those that opposed the average normals of all their corners."""
+    import numpy
+
+    def normals(positions):
+        a, b, c = (positions[triangles[:, k]] for k in range(3))
+        return numpy.cross(b - a, c - a)
+
+    old, new = normals(before), normals(after)
+    sums = numpy.zeros_like(before)
+    for corner in range(3):
+        numpy.add.at(sums, triangles[:, corner], old)
+    opposed = [(old * sums[triangles[:, corner]]).sum(1) < 0 for corner in range(3)]
+    turned = (old * new).sum(1) < 0
+    return set(numpy.flatnonzero(turned)), set(numpy.flatnonzero(numpy.logical_and.reduce(opposed)))
+
+
+def check_boundary(ruler, folder):
+    import numpy
+
+    source, target = SHARED / "data" / "plane_graded.off", Path(folder) / "out.off"
+    smooth(source, target, [])
+    positions, triangles = ruler.load(str(source))
+    after, _ = ruler.load(str(target))
+    edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    unique, count = numpy.unique(edges, axis=0, return_counts=True)
+    boundary = numpy.unique(unique[count == 1])
+    check(len(boundary) > 400 and (positions[boundary] == after[boundary]).all(), f"{len(boundary)} boundary vertices keep their bits")
+
+
+def shapes(ruler, positions, triangles):
+    import numpy
+
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    squares = ((b - a) ** 2).sum(1) + ((c - b) ** 2).sum(1) + ((a - c) ** 2).sum(1)
+    areas = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1)
+    return 2 * numpy.sqrt(3) * areas / numpy.where(squares > 0, squares, 1)
+
+
+def check_promises(ruler, folder, name, options):
+    """Volume in double precision, and the worst triangle below the floor, for one closed mesh and one setting."""
+    positions, triangles = ruler.load(str(SHARED / "data" / name))
+    source, target = Path(folder) / "double.off", Path(folder) / "double_out.off"
+    rows = [f"{x!r} {y!r} {z!r}" for x, y, z in positions.tolist()] + [f"3 {a} {b} {c}" for a, b, c in triangles.tolist()]
+    source.write_text("\n".join(["OFF", f"{len(positions)} {len(triangles)} 0", *rows, ""]))
+    smooth(source, target, options)
+    after, _ = ruler.load(str(target))
+    figures = [ruler.quality(p, triangles)[0] for p in (positions, after)]
+    change = (figures[1]["vol"] - figures[0]["vol"]) / abs(figures[0]["vol"])
+    worst = [shapes(ruler, p, triangles).min() for p in (positions, after)]
+    label = f"{name} {' '.join(options)}"
+    check(abs(change) <= 1e-12, f"{label}: volume {change:.1e}")
+    check(worst[1] >= min(worst[0], FLOOR) * (1 - 1e-9), f"{label}: worst shape {worst[0]:.4g} -> {worst[1]:.4g}")
+
+
+def check_refusal(folder):
+    """A NaN is an error that names vertex and line, and no file is written."""
+    source, target = SHARED / "data" / "nasty_nan.off", Path(folder) / "refused.off"
+    run = subprocess.run([COMMAND, "smooth", source, "-o", target], capture_output=True, text=True, check=False)
+    line = next(i for i, text in enumerate(source.read_text().splitlines(), 1) if "nan" in text.lower())
+    named = f"line {line}" in run.stderr and "vertex" in run.stderr
+    check(run.returncode == 1 and named and not target.exists(), f"nasty_nan.off is refused: {run.stderr.strip()}")
+
+
+def load_ruler():
+    """Imports the ruler, in a virtual environment with its packages; restarts this program in it first."""
+    environment = COMMAND.parent.parent / "python"
+    python = environment / "bin" / "python"
+    if Path(sys.prefix) != environment:
+        if not python.exists():
+            subprocess.run([sys.executable, "-m", "venv", environment], check=True)
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES], check=True)
+        os.execv(python, [str(python), __file__])
+    sys.path.insert(0, str(RULER.parent))
+    import metrics
+
+    return metrics
+
+
+def main():
+    ruler = load_ruler() if RULER.exists() else None
+    with tempfile.TemporaryDirectory() as folder:
+        check_demo(folder)
+        if ruler is None:
+            print("reference meshes: not beside the project, only the demo mesh was checked")
+        else:
+            for row in MESHES:
+                check_mesh(ruler, folder, *row)
+            check_boundary(ruler, folder)
+            for name, options in itertools.product(CLOSED, SETTINGS):
+                check_promises(ruler, folder, name, options)
+            check_refusal(folder)
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
