@@ -28,7 +28,7 @@ const LOST: [f64; 2] = [0.12, 0.3];
 /// Looks at candidates for one patch.
 pub(super) struct Judge<'a> {
     pub around: &'a Surroundings<'a>,
-    pub live: &'a Live,
+    pub live: &'a Live<'a>,
     pub patch: &'a Patch,
     pub limits: &'a Limits,
 }

@@ -48,16 +48,23 @@ impl Limits {
 
     /// What is wrong with a triangle of the tail.
     pub fn defect(&self, corners: [DVec3; 3]) -> Defect {
-        let [ratio, _, large] = self.parts(corners);
+        let [ratio, small, large] = self.parts(corners);
         if large == f64::INFINITY {
             Defect::Degenerate
-        } else if large > 1.0 {
+        } else if large > 1.0 && large >= ratio {
             Defect::Cap
         } else if ratio > 1.0 {
             Defect::Needle
         } else {
+            debug_assert!(small > 1.0, "not in the tail");
             Defect::SmallAngle
         }
+    }
+
+    /// Whether a triangle is rather a needle than a cap.
+    pub fn is_needle(&self, corners: [DVec3; 3]) -> bool {
+        let [ratio, _, large] = self.parts(corners);
+        ratio > large
     }
 
     /// The three quotients of which the excess is the largest: of the edge ratio, the smallest and the largest angle.

@@ -5,7 +5,7 @@ use super::live::Live;
 use super::patch::{Patch, Piece, Shape};
 
 /// Whether new triangles make an edge that is already elsewhere, or a triangle that is there already.
-pub(super) fn is_broken(live: &Live, patch: &Patch, shape: &Shape) -> bool {
+pub(super) fn is_broken(live: &Live<'_>, patch: &Patch, shape: &Shape) -> bool {
     let removed = slots_taken_out(patch, shape);
     let is_there = |corners: &[u32]| {
         let mut remaining = live.around_all(corners).iter().filter(|s| removed.binary_search(s).is_err());

@@ -10,7 +10,7 @@ use super::patch::{Patch, Shape};
 use super::rank::Rank;
 use super::relax::Relaxer;
 use super::remove::remove;
-use super::report::{Defect, Reason};
+use super::report::Reason;
 use super::topology::fresh;
 use crate::sweep::Surroundings;
 
@@ -67,7 +67,7 @@ impl<'a> Surgeon<'a> {
 
     /// The first candidate that takes a triangle of the patch out of the tail; if none does, the one that makes the worst
     /// triangle best; else the reason.
-    pub fn treat(&mut self, live: &Live, slot: u32) -> Result<Cure, Reason> {
+    pub fn treat(&mut self, live: &Live<'_>, slot: u32) -> Result<Cure, Reason> {
         let corners = live.triangles[slot as usize];
         if crate::mesh::repeats_a_vertex(&corners) {
             return Err(Reason::Topology);
@@ -91,7 +91,7 @@ impl<'a> Surgeon<'a> {
     }
 
     /// The candidates, the cheapest first.
-    fn operations(&self, live: &Live, patch: &Patch, slot: u32) -> Vec<Operation> {
+    fn operations(&self, live: &Live<'_>, patch: &Patch, slot: u32) -> Vec<Operation> {
         let p = &patch.shape.positions;
         let mut edges = [(0, 1), (1, 2), (2, 0)];
         edges.sort_by(|e, f| p[e.0].distance_squared(p[e.1]).total_cmp(&p[f.0].distance_squared(p[f.1])));
@@ -101,7 +101,7 @@ impl<'a> Surgeon<'a> {
         let removals = edges.iter().rev().map(|&(a, b)| Operation::Remove(3 - a - b));
         let mut all = vec![Operation::Move, Operation::MoveAll];
         all.extend(flips);
-        if self.limits.defect(live.corners(slot)) == Defect::Needle {
+        if self.limits.is_needle(live.corners(slot)) {
             all.extend(collapses.chain(removals));
         } else {
             all.extend(removals.chain(collapses));
@@ -110,7 +110,7 @@ impl<'a> Surgeon<'a> {
     }
 
     /// Tries one candidate. True if it cures.
-    fn attempt(&mut self, live: &Live, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
+    fn attempt(&mut self, live: &Live<'_>, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
         match self.candidate(patch, operation, findings) {
             Ok(Some(shape)) => self.consider(live, patch, shape, operation, findings),
             Ok(None) => false,
@@ -146,7 +146,7 @@ impl<'a> Surgeon<'a> {
     /// Notes a candidate if it is the best so far and nothing speaks against it. True if it cures.
     fn consider(
         &mut self,
-        live: &Live,
+        live: &Live<'_>,
         patch: &Patch,
         shape: Shape,
         operation: Operation,
