@@ -91,3 +91,42 @@ fn sorted([a, b, c]: [f64; 3]) -> [f64; 3] {
     let (low, high) = (a.min(b), a.max(b));
     [low.min(c), low.max(high.min(c)), high.max(c)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quality::triangle::Sides;
+    use proptest::prelude::*;
+
+    fn corners(apex: [f64; 2]) -> [DVec3; 3] {
+        [DVec3::ZERO, DVec3::X, DVec3::new(apex[0], apex[1], 0.0)]
+    }
+
+    #[test]
+    fn each_defect_is_told() {
+        let limits = Limits::new(&TailOptions::default());
+        for (apex, defect) in [
+            ([0.5, 0.0], Defect::Degenerate),
+            ([0.5, 0.1], Defect::Cap),
+            ([0.1, 0.2], Defect::Needle),
+            ([0.5, 2.86], Defect::SmallAngle),
+        ] {
+            assert!(limits.excess(corners(apex)) > 1.0);
+            assert_eq!(limits.defect(corners(apex)), defect, "{apex:?}");
+        }
+        assert!(limits.excess([DVec3::ONE; 3]) == f64::INFINITY);
+    }
+
+    proptest! {
+        #[test]
+        fn the_excess_passes_1_where_a_measure_passes_its_threshold(x in -1.0..2.0, y in 0.01..3.0) {
+            let limits = Limits::new(&TailOptions::default());
+            let sides = Sides::new(corners([x, y]));
+            let passed = [sides.edge_ratio() / 3.0, 20.0 / sides.min_angle(), sides.max_angle() / 130.0];
+            let most = passed.into_iter().fold(0.0, f64::max);
+            prop_assume!((most - 1.0_f64).abs() > 1e-9);
+            prop_assert_eq!(limits.excess(corners([x, y])) > 1.0, most > 1.0);
+            prop_assert!(most < 1.0 || !limits.is_clearly_fine(corners([x, y])));
+        }
+    }
+}
