@@ -128,7 +128,7 @@ impl<'a> Surgeon<'a> {
             Operation::Move | Operation::MoveAll => patch.shape.clone(),
             Operation::Flip(a, b) => flip(patch, self.around, a, b)?,
             Operation::Collapse(a, b) => collapse(patch, self.around, a, b)?,
-            Operation::Remove(v) => remove(patch, self.around, v)?,
+            Operation::Remove(v) => remove(patch, v)?,
         };
         if Rank::of_frozen(self.limits, patch, &shape).compare(found.to_beat()).is_ge() {
             return Ok(None);
