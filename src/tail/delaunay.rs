@@ -13,7 +13,7 @@ use super::live::{GONE, Live};
 use super::patch::{Patch, Shape};
 use super::rank::Rank;
 use super::relax::Relaxer;
-use super::topology::fresh;
+use super::topology::{fresh, slots_taken_out};
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::repeats_a_vertex;
@@ -104,11 +104,11 @@ impl<'a> Flipper<'a> {
         let Ok(mut shape) = flip(&patch, self.around, 0, 1) else {
             return false;
         };
-        let spent = |p: &&super::patch::Piece| p.slot.is_some_and(|s| self.flips[s as usize] >= MOST_FLIPS);
-        if patch.shape.pieces.iter().filter(|p| !shape.pieces.contains(p)).any(|p| spent(&p)) {
-            return false;
-        }
-        if !debt::pay(&mut self.relaxer, &patch, &mut shape, &[0, 1, 2, 3]) || !self.is_gain(live, &patch, &shape) {
+        let spent = slots_taken_out(&patch, &shape).iter().any(|&s| self.flips[s as usize] >= MOST_FLIPS);
+        if spent
+            || !debt::pay(&mut self.relaxer, &patch, &mut shape, &[0, 1, 2, 3])
+            || !self.is_gain(live, &patch, &shape)
+        {
             return false;
         }
         self.count += 1;

@@ -12,6 +12,7 @@ use super::relax::Relaxer;
 use super::remove::remove;
 use super::report::Reason;
 use super::topology::fresh;
+use crate::mesh::repeats_a_vertex;
 use crate::sweep::Surroundings;
 
 /// Rounds of moves over the three corners, and over the whole patch.
@@ -49,14 +50,22 @@ pub(super) struct Surgeon<'a> {
 struct Findings {
     before: Rank,
     best: Option<(Rank, Shape, Operation)>,
-    /// Why candidates that would have cured it were refused, or could not be made.
-    refusals: Vec<Reason>,
+    /// Why candidates that would have cured it were refused.
+    refused: Vec<Reason>,
+    /// Why candidates could not be made at all.
+    impossible: Vec<Reason>,
 }
 
 impl Findings {
     /// What a candidate has to be better than.
     fn to_beat(&self) -> &Rank {
         self.best.as_ref().map_or(&self.before, |best| &best.0)
+    }
+
+    /// Why nothing has helped: what stood between the triangle and a cure, else what might have.
+    fn reason(&self) -> Reason {
+        let first = |reasons: &[Reason]| reasons.iter().min().copied();
+        first(&self.refused).or(first(&self.impossible)).unwrap_or(Reason::NoGain)
     }
 }
 
@@ -69,12 +78,12 @@ impl<'a> Surgeon<'a> {
     /// triangle best; else the reason.
     pub fn treat(&mut self, live: &Live<'_>, slot: u32) -> Result<Cure, Reason> {
         let corners = live.triangles[slot as usize];
-        if crate::mesh::repeats_a_vertex(&corners) {
+        if repeats_a_vertex(&corners) {
             return Err(Reason::Topology);
         }
         let patch = Patch::around(live, self.around, slot);
         let before = Rank::of(self.limits, &patch.shape);
-        let mut findings = Findings { before, best: None, refusals: Vec::new() };
+        let mut findings = Findings { before, best: None, refused: Vec::new(), impossible: Vec::new() };
         for operation in self.operations(live, &patch, slot) {
             if self.attempt(live, &patch, operation, &mut findings) {
                 break;
@@ -86,7 +95,7 @@ impl<'a> Surgeon<'a> {
                     Judge { around: self.around, live, patch: &patch, limits: self.limits }.lost_height(&shape);
                 Ok(Cure { patch, shape, operation, lost_height })
             }
-            None => Err(findings.refusals.into_iter().min().unwrap_or(Reason::NoGain)),
+            None => Err(findings.reason()),
         }
     }
 
@@ -115,7 +124,7 @@ impl<'a> Surgeon<'a> {
             Ok(Some(shape)) => self.consider(live, patch, shape, operation, findings),
             Ok(None) => false,
             Err(reason) => {
-                findings.refusals.push(reason);
+                findings.impossible.push(reason);
                 false
             }
         }
@@ -160,7 +169,7 @@ impl<'a> Surgeon<'a> {
         let judge = Judge { around: self.around, live, patch, limits: self.limits };
         if let Some(reason) = judge.objection(&shape) {
             if cures {
-                findings.refusals.push(reason);
+                findings.refused.push(reason);
             }
             return false;
         }
