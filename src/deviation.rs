@@ -56,7 +56,7 @@ impl<'a> Surface<'a> {
 
 /// The point of a triangle nearest to `point`: the foot of the perpendicular, if it falls inside, else the nearest point
 /// of the sides.
-fn nearest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+pub(crate) fn nearest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
     let square = normal.length_squared();
     let inside = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(normal) >= 0.0;

@@ -97,6 +97,7 @@ impl From<Error> for Failure {
             Error::NonFinite { vertex } => (QSM_NON_FINITE_VERTEX, Some(vertex), Some(c"positions")),
             Error::BadOption { name, .. } => (QSM_BAD_OPTION, None, c_name(name)),
             Error::LockLength { .. } => (QSM_BAD_OPTION, None, Some(c"vertex_lock")),
+            Error::MaskLength { .. } => (QSM_BAD_OPTION, None, Some(c"triangle_mask")),
             Error::FeatureEdgeOutOfRange { edge, .. } => {
                 (QSM_FEATURE_EDGE_OUT_OF_RANGE, Some(edge), Some(c"feature_edges"))
             }
