@@ -15,7 +15,7 @@ use meshes::Mesh;
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
 use qsmesh::progress::silent;
-use qsmesh::{Constraints, Options, Seconds, smooth};
+use qsmesh::{Constraints, Options, Seconds, Sources, TailOptions, improve, smooth};
 
 const RUNS: usize = 9;
 
@@ -37,24 +37,43 @@ fn main() {
     row("sweep with guard, features off", off.sweeps / 2.0);
     row("sweep with guard, defaults", defaults.sweeps / 2.0);
     row("whole call, 2 sweeps, defaults", defaults.total);
+    for (name, feature_angle) in [("tail, features off", None), ("tail, defaults", Some(30.0))] {
+        let seconds = tail(&mesh, &Options { feature_angle, measure: false, ..Options::default() });
+        row(name, seconds.tail);
+        println!("{:<34} {:8.2} × two sweeps", "", seconds.tail / seconds.sweeps);
+    }
 }
 
-/// Median seconds of each stage, in nanoseconds per vertex.
+/// Median seconds of the stages of smoothing and tail treatment, in nanoseconds per vertex.
+fn tail(mesh: &Mesh, options: &Options) -> Seconds {
+    let run = || {
+        let (mut positions, mut triangles) = mesh.clone();
+        let (tail, free) = (TailOptions::default(), Constraints::default());
+        let done = improve(&mut positions, &mut triangles, options, &tail, &free, &mut Sources::default(), &mut silent);
+        done.expect("a mesh that can be improved").smoothing.seconds
+    };
+    middle(mesh, run)
+}
+
+/// Median seconds of the stages of smoothing, in nanoseconds per vertex.
 fn stages(mesh: &Mesh, options: &Options) -> Seconds {
-    let runs: Vec<Seconds> = (0..RUNS)
-        .map(|_| {
-            let mut positions = mesh.0.clone();
-            let report = smooth(&mut positions, &mesh.1, options, &Constraints::default(), &mut silent);
-            report.expect("a mesh that can be smoothed").seconds
-        })
-        .collect();
-    let middle = |of: fn(&Seconds) -> f64| median(runs.iter().map(of).collect()) * 1e9 / mesh.0.len() as f64;
+    let run = || {
+        let mut positions = mesh.0.clone();
+        let done = smooth(&mut positions, &mesh.1, options, &Constraints::default(), &mut silent);
+        done.expect("a mesh that can be smoothed").seconds
+    };
+    middle(mesh, run)
+}
+
+fn middle(mesh: &Mesh, run: impl Fn() -> Seconds) -> Seconds {
+    let runs: Vec<Seconds> = (0..RUNS).map(|_| run()).collect();
+    let of = |part: fn(&Seconds) -> f64| median(runs.iter().map(part).collect()) * 1e9 / mesh.0.len() as f64;
     Seconds {
-        total: middle(|s| s.total),
-        adjacency: middle(|s| s.adjacency),
-        features: middle(|s| s.features),
-        sweeps: middle(|s| s.sweeps),
-        tail: middle(|s| s.tail),
+        total: of(|s| s.total),
+        adjacency: of(|s| s.adjacency),
+        features: of(|s| s.features),
+        sweeps: of(|s| s.sweeps),
+        tail: of(|s| s.tail),
     }
 }
 
