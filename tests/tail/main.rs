@@ -9,7 +9,7 @@ mod situations;
 mod sources;
 
 use meshes::Soup;
-use qsmesh::{Constraints, Error, Improvement, Options, Sources, TailOptions, TailReport, progress};
+use qsmesh::{Constraints, Improvement, Options, Sources, TailOptions, TailReport, progress};
 
 /// Everything that comes out of a call.
 struct Result<R> {
