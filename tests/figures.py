@@ -227,7 +227,53 @@ def euler(triangles):
 
     edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
     unique, count = numpy.unique(edges, axis=0, return_counts=True)
-    return len(numpy.unique(triangles)) - len(unique) + len(triangles), (count == 1).sum(), (count > 2).sum()
+    used = len(numpy.unique(triangles))
+    return used - len(unique) + len(triangles), int((count == 1).sum()), int((count > 2).sum())
+
+
+def edges_of(triangles):
+    """Each edge once, least vertex first, with up to two of its triangles (the same one twice on the boundary)."""
+    import numpy
+
+    edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    unique, inverse = numpy.unique(edges, axis=0, return_inverse=True)
+    owners = numpy.tile(numpy.arange(len(triangles)), 3)
+    first, second = numpy.empty(len(unique), int), numpy.empty(len(unique), int)
+    first[inverse.ravel()] = owners
+    second[inverse.ravel()[::-1]] = owners[::-1]
+    return unique, first, second
+
+
+def check_boundary_kept(label, positions, triangles, after, vertex_ids):
+    import numpy
+
+    edges, first, second = edges_of(triangles)
+    rim = numpy.unique(edges[first == second])
+    kept = numpy.isin(rim, vertex_ids)
+    same = positions[rim[kept]] == after[numpy.searchsorted(vertex_ids, rim[kept])]
+    check(kept.all() and same.all(), f"{label}: all {len(rim)} boundary vertices keep their bits")
+
+
+def check_creases_kept(label, positions, triangles, after, vertex_ids, new_triangles):
+    """Every edge sharper than 30° is still an edge, and its ends lie on the line that these edges made before."""
+    import numpy
+
+    edges, first, second = edges_of(triangles)
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    normals = numpy.cross(b - a, c - a)
+    normals /= numpy.linalg.norm(normals, axis=1)[:, None]
+    sharp = edges[(normals[first] * normals[second]).sum(1) < numpy.cos(numpy.radians(30))]
+    now = {tuple(edge) for edge in edges_of(vertex_ids[new_triangles])[0].tolist()}
+    lost = sum(tuple(edge) not in now for edge in sharp.tolist())
+    check(lost == 0, f"{label}: {lost} of {len(sharp)} sharp edges lost")
+    ends = numpy.unique(sharp)
+    places = after[numpy.searchsorted(vertex_ids, ends)]
+    start, along = positions[sharp[:, 0]], positions[sharp[:, 1]] - positions[sharp[:, 0]]
+    share = ((places[:, None] - start) * along).sum(2) / (along**2).sum(1)
+    feet = start + numpy.clip(share, 0, 1)[:, :, None] * along
+    distance = numpy.linalg.norm(places[:, None] - feet, axis=2).min(1).max()
+    distance /= numpy.linalg.norm(numpy.ptp(positions, axis=0))
+    check(distance <= 0.001, f"{label}: ends of sharp edges at most {distance:.5f} of the diagonal from their line")
 
 
 def check_tail(ruler, folder, name, options, bounds):
@@ -254,6 +300,9 @@ def check_tail(ruler, folder, name, options, bounds):
     check(shape[0] == shape[1], f"{label}: Euler characteristic, boundary and non-manifold edges {shape[1]}")
     if figures["dvol"] is not None:
         check(abs(figures["dvol"]) <= 1e-12, f"{label}: volume {figures['dvol']:.1e}")
+    check_boundary_kept(label, positions, triangles, after, vertex_ids)
+    if name == "fandisk.obj":
+        check_creases_kept(label, positions, triangles, after, vertex_ids, new_triangles)
     leftovers = report["tail"]["leftovers"]
     check(all(one["reason"] for one in leftovers), f"{label}: {len(leftovers)} leftovers, each with its reason")
 
