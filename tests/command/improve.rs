@@ -216,6 +216,55 @@ fn obj_faces_stay_under_their_records() {
     }
 }
 
+/// The torus whose faces are of two kinds by turns, so that they part along every edge; `face` writes one.
+fn parted(header: &str, vertex: impl Fn(&[f64; 3]) -> String, face: impl Fn(&[u32], usize) -> String) -> String {
+    let mesh = torus();
+    let vertices: String = mesh.points.iter().map(vertex).collect();
+    let faces: String = mesh.faces.iter().enumerate().map(|(f, corners)| face(corners, f % 2)).collect();
+    format!("{header}{vertices}{faces}")
+}
+
+#[test]
+fn nothing_is_made_across_seams_and_borders() {
+    let obj = |[x, y, z]: &[f64; 3]| format!("v {x} {y} {z}\n");
+    let corners = |face: &[u32], more: &str| face.iter().map(|v| format!(" {}{more}", v + 1)).collect::<String>();
+    let under = |keyword: &'static str| {
+        parted("", obj, move |face, kind| format!("{keyword} {kind}\nf{}\n", corners(face, "")))
+    };
+    let texture =
+        parted("vt 0 0\nvt 1 1\n", obj, |face, kind| format!("f{}\n", corners(face, &format!("/{}", kind + 1))));
+    let ply = |property: &str, value: fn(usize) -> String| {
+        let header = format!(
+            "ply\nformat ascii 1.0\nelement vertex 972\nproperty double x\nproperty double y\nproperty double z\n\
+             element face 1944\n{property}\nproperty list uchar int vertex_indices\nend_header\n"
+        );
+        let face = |face: &[u32], kind| format!("{} 3 {} {} {}\n", value(kind), face[0], face[1], face[2]);
+        parted(&header, |[x, y, z]| format!("{x} {y} {z}\n"), face)
+    };
+    let files = [
+        ("usemtl.obj", under("usemtl")),
+        ("g.obj", under("g")),
+        ("s.obj", under("s")),
+        ("o.obj", under("o")),
+        ("texture.obj", texture),
+        ("number.ply", ply("property int texnumber", |kind| kind.to_string())),
+        ("texture.ply", ply("property list uchar float texcoord", |kind| format!("6{}", format!(" {kind}").repeat(6)))),
+    ];
+    for (name, text) in files {
+        let workspace = Workspace::with(&[(name, text.as_bytes())]);
+        let output = format!("new_{name}");
+        let report = workspace.report("collapse-tails", name, &output, &[&HARSH[..], &["--flips"]].concat());
+        let leftovers = report["tail"]["leftovers"].as_array().unwrap();
+        assert!(leftovers.len() > 20, "{name} has {} leftovers", leftovers.len());
+        assert!(leftovers.iter().all(|leftover| leftover["reason"] == "feature"), "{name}");
+        assert!(workspace.text(&output) == text, "{name} changed");
+    }
+    // The same under names that say nothing.
+    let workspace = Workspace::with(&[("a.obj", under("usemap").as_bytes())]);
+    let report = workspace.report("collapse-tails", "a.obj", "b.obj", &HARSH);
+    assert!(report["tail"]["vertices_removed"].as_u64().unwrap() > 3);
+}
+
 #[test]
 fn obj_text_stays_where_nothing_before_it_has_gone() {
     let before = torus_obj(|v, _| format!("{:03}", v + 1));

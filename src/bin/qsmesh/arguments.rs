@@ -338,8 +338,8 @@ impl TailArguments {
     }
 }
 
-/// Ends the process with a usage error if the library refused an option, which the command calls by the same name behind
-/// `prefix`.
+/// Ends the process with a usage error if the library refused an option, which the command calls by the same name
+/// behind `prefix`.
 fn require_valid(checked: Result<(), qsmesh::Error>, subcommand: &str, prefix: &str) {
     if let Err(qsmesh::Error::BadOption { name, value }) = checked {
         let option = name.replace('_', "-");

@@ -1,5 +1,5 @@
-//! OFF with its prefixes ST, C and N. Every line is kept; only counts, coordinates of moved vertices, vertex normals and
-//! vertices of faces that have another number are written anew, and lines go with what they describe.
+//! OFF with its prefixes ST, C and N. Every line is kept; only counts, coordinates of moved vertices, vertex normals
+//! and vertices of faces that have another number are written anew, and lines go with what they describe.
 
 use std::io::Write;
 use std::iter::Peekable;

@@ -30,9 +30,9 @@ impl Revision {
         Self { positions, remesh: None }
     }
 
-    /// Vertices and triangles have gone from a mesh of `vertices` vertices and `faces` triangles. The triangles take the
-    /// places of their sources, so that they stay under the records that govern those; also returns the number that
-    /// each of `triangles` gets by that.
+    /// Vertices and triangles have gone from a mesh of `vertices` vertices and `faces` triangles. The triangles take
+    /// the places of their sources, so that they stay under the records that govern those; also returns the number
+    /// that each of `triangles` gets by that.
     pub fn of_mesh(
         positions: Positions,
         triangles: &[[u32; 3]],

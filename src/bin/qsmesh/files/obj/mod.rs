@@ -1,5 +1,5 @@
-//! Wavefront OBJ. Every line is kept; only coordinates of moved vertices, vertex normals and what names a vertex that has
-//! another number are written anew, and lines go with what they describe.
+//! Wavefront OBJ. Every line is kept; only coordinates of moved vertices, vertex normals and what names a vertex that
+//! has another number are written anew, and lines go with what they describe.
 
 mod corner;
 mod texture;

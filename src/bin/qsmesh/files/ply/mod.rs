@@ -1,5 +1,5 @@
-//! PLY. The file's bytes are kept and only what changes is replaced in them, so that every element, property, comment and
-//! number stays as it was written.
+//! PLY. The file's bytes are kept and only what changes is replaced in them, so that every element, property, comment
+//! and number stays as it was written.
 //!
 //! The header is parsed and new files are written by `ply-rs-bw`. Its payload reader isn't used: it yields values
 //! without their places, so that a file could only be written anew, with its comments moved and its numbers respelled,
