@@ -19,7 +19,7 @@ const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
 const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
 
 /// Bounds for a vertex that may be a corner after all.
-const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.25 };
+const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.2 };
 
 /// What became of a vertex at its last visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
