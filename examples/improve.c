@@ -37,7 +37,8 @@ int main(void)
         return 1;
     }
     printf("%d -> %lu vertices, %d -> %lu triangles, %lu left that could not be cured\n", VERTICES,
-           (unsigned long)vertex_count, TRIANGLES, (unsigned long)(index_count / 3), (unsigned long)maps.leftover_count);
+           (unsigned long)vertex_count, TRIANGLES, (unsigned long)(index_count / 3),
+           (unsigned long)maps.leftover_count);
 
     /* vertex_source rises, so vertices can be brought along in place; triangle_source may not. */
     for (i = 0; i < vertex_count; i++) {

@@ -49,12 +49,12 @@ typedef int32_t qsm_boundary;
 typedef int32_t qsm_flow;
 
 /**
- * Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what you
- * like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
+ * Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
+ * you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
  *
- * The fields from tail_edge_ratio on belong to the tail, which is what has to be cured by more than moves: qsm_smooth_*
- * does not look at them, so nothing in them is an error there. The other two check every field, those without a meaning
- * for them too.
+ * The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
+ * look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
+ * it has no meaning.
  */
 typedef struct qsm_options {
     /**
@@ -145,7 +145,7 @@ typedef struct qsm_options {
      */
     uint32_t tail_attempts;
     /**
-     * 1: before the tail is looked for, flip every interior edge that is no feature where the Delaunay criterion in the
+     * 1: before the tail is treated, flip every interior edge that is no feature where the Delaunay criterion in the
      * tangent plane and the normals allow it. 0: flip edges only to cure a triangle. Default 0.
      */
     int32_t flips;
@@ -154,8 +154,8 @@ typedef struct qsm_options {
      */
     size_t tail_operations;
     /**
-     * One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail, but
-     * may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
+     * One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail,
+     * but may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
      */
     const uint8_t *triangle_mask;
 } qsm_options;
@@ -356,7 +356,7 @@ typedef struct qsm_report {
      */
     uint64_t offender;
     /**
-     * Name of the argument or option at fault, as in this header; NULL where none is. Lives for ever.
+     * Name of the argument, option or map at fault, as in this header; NULL where none is. Lives for ever.
      */
     const char *offender_name;
     /**
@@ -484,9 +484,10 @@ typedef struct qsm_leftover {
 } qsm_leftover;
 
 /**
- * Where qsm_collapse_tails_* and qsm_improve_* write where everything came from. Set up with qsm_maps_init, then set the
- * arrays that you want; each may be NULL. How much room an array needs is told by the counts before the call; how much
- * of it is filled, by the counts after it. What lies behind that keeps its bits, and after a failure everything does.
+ * Where qsm_collapse_tails_* and qsm_improve_* write where everything came from. Set up with qsm_maps_init, then set
+ * the arrays that you want; each may be NULL. How much room an array needs is told by the counts before the call; how
+ * much of it is filled, by the counts after it. What lies behind that keeps its bits, and after a failure everything
+ * does.
  */
 typedef struct qsm_maps {
     /**
@@ -784,24 +785,25 @@ qsm_status qsm_smooth_f64(double *positions,
                           struct qsm_report *report);
 
 /**
- * Cures the triangles that no smoothing can help, because the edges between the vertices force their shape: moves, flips
- * edges, collapses them and removes vertices, worst triangle first. The mesh may come out with fewer vertices and
- * triangles than went in.
+ * Cures the triangles that no smoothing can help, because the edges between the vertices force their shape: moves
+ * vertices, flips edges, collapses them and removes vertices, worst triangle first. The mesh may come out with
+ * fewer vertices and triangles than went in.
  *
- * positions: as for qsm_smooth_f32. *vertex_count is the number of vertices that go in, and after success the number of
- * those that came out. The coordinates of these are moved up, in their old order, to the first places; the bytes between
- * the coordinates of one vertex and the next are neither read nor written, so other attributes of a vertex stay in their
- * old places until the caller brings them along through vertex_source of maps.
+ * positions: as for qsm_smooth_f32. *vertex_count is the number of vertices that go in, and after success the
+ * number of those that came out. The coordinates of these are moved up, in their old order, to the first places;
+ * the bytes between the coordinates of one vertex and the next are neither read nor written, so other attributes of
+ * a vertex stay in their old places until the caller brings them along through vertex_source of maps.
  * indices: as for qsm_smooth_f32, but changed in place. *index_count is the number of indices that go in, and after
  * success of those that came out. Triangles that were not touched keep their vertices, order and winding.
  * In both buffers, what lies behind the new count keeps its bits. Neither count may be NULL.
- * options: NULL for the defaults. maps: NULL if not wanted. report: NULL if not wanted; measuring is then left out too.
+ * options: NULL for the defaults. maps: NULL if not wanted. report: NULL if not wanted; measuring is then left out
+ * too.
  *
  * Returns QSM_OK, or another status; then buffers, counts and maps are as they were, and the report says what is at
  * fault. A triangle that could not be cured is no error, but listed in maps with the reason.
  *
- * Features, the boundary and locked vertices stay where they are. The enclosed volume of a closed mesh stays as it is but
- * for rounding to the precision of the buffer. The same input gives the same result.
+ * Features and the boundary stay, and locked vertices keep their bits. The enclosed volume of a closed mesh stays as it
+ * is but for rounding to the precision of the buffer. The same input gives the same result.
  */
 qsm_status qsm_collapse_tails_f32(float *positions,
                                   size_t *vertex_count,

@@ -52,9 +52,10 @@ pub struct qsm_leftover {
     pub reason: qsm_reason,
 }
 
-/// Where qsm_collapse_tails_* and qsm_improve_* write where everything came from. Set up with qsm_maps_init, then set the
-/// arrays that you want; each may be NULL. How much room an array needs is told by the counts before the call; how much
-/// of it is filled, by the counts after it. What lies behind that keeps its bits, and after a failure everything does.
+/// Where qsm_collapse_tails_* and qsm_improve_* write where everything came from. Set up with qsm_maps_init, then set
+/// the arrays that you want; each may be NULL. How much room an array needs is told by the counts before the call; how
+/// much of it is filled, by the counts after it. What lies behind that keeps its bits, and after a failure everything
+/// does.
 #[repr(C)]
 pub struct qsm_maps {
     /// Size of this struct in bytes. Set by qsm_maps_init; leave it alone.

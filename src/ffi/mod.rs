@@ -105,24 +105,25 @@ pub unsafe extern "C" fn qsm_smooth_f64(
     unsafe { smooth(positions, vertex_count, stride_bytes, indices, index_count, options, report) }
 }
 
-/// Cures the triangles that no smoothing can help, because the edges between the vertices force their shape: moves, flips
-/// edges, collapses them and removes vertices, worst triangle first. The mesh may come out with fewer vertices and
-/// triangles than went in.
+/// Cures the triangles that no smoothing can help, because the edges between the vertices force their shape: moves
+/// vertices, flips edges, collapses them and removes vertices, worst triangle first. The mesh may come out with
+/// fewer vertices and triangles than went in.
 ///
-/// positions: as for qsm_smooth_f32. *vertex_count is the number of vertices that go in, and after success the number of
-/// those that came out. The coordinates of these are moved up, in their old order, to the first places; the bytes between
-/// the coordinates of one vertex and the next are neither read nor written, so other attributes of a vertex stay in their
-/// old places until the caller brings them along through vertex_source of maps.
+/// positions: as for qsm_smooth_f32. *vertex_count is the number of vertices that go in, and after success the
+/// number of those that came out. The coordinates of these are moved up, in their old order, to the first places;
+/// the bytes between the coordinates of one vertex and the next are neither read nor written, so other attributes of
+/// a vertex stay in their old places until the caller brings them along through vertex_source of maps.
 /// indices: as for qsm_smooth_f32, but changed in place. *index_count is the number of indices that go in, and after
 /// success of those that came out. Triangles that were not touched keep their vertices, order and winding.
 /// In both buffers, what lies behind the new count keeps its bits. Neither count may be NULL.
-/// options: NULL for the defaults. maps: NULL if not wanted. report: NULL if not wanted; measuring is then left out too.
+/// options: NULL for the defaults. maps: NULL if not wanted. report: NULL if not wanted; measuring is then left out
+/// too.
 ///
 /// Returns QSM_OK, or another status; then buffers, counts and maps are as they were, and the report says what is at
 /// fault. A triangle that could not be cured is no error, but listed in maps with the reason.
 ///
-/// Features, the boundary and locked vertices stay where they are. The enclosed volume of a closed mesh stays as it is but
-/// for rounding to the precision of the buffer. The same input gives the same result.
+/// Features and the boundary stay, and locked vertices keep their bits. The enclosed volume of a closed mesh stays as it
+/// is but for rounding to the precision of the buffer. The same input gives the same result.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qsm_collapse_tails_f32(
     positions: *mut f32,

@@ -58,12 +58,12 @@ pub const QSM_SHAPE: qsm_parameter = 3;
 /// Circumradius over twice the inradius, 1 to infinity.
 pub const QSM_RADIUS_RATIO: qsm_parameter = 4;
 
-/// Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what you
-/// like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
+/// Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
+/// you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
 ///
-/// The fields from tail_edge_ratio on belong to the tail, which is what has to be cured by more than moves: qsm_smooth_*
-/// does not look at them, so nothing in them is an error there. The other two check every field, those without a meaning
-/// for them too.
+/// The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
+/// look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
+/// it has no meaning.
 #[repr(C)]
 pub struct qsm_options {
     /// Size of this struct in bytes. Set by qsm_options_init; leave it alone.
@@ -113,13 +113,13 @@ pub struct qsm_options {
     pub tail_max_angle: f64,
     /// How often one triangle is taken up at most, 1 to 1000. Default 3.
     pub tail_attempts: u32,
-    /// 1: before the tail is looked for, flip every interior edge that is no feature where the Delaunay criterion in the
+    /// 1: before the tail is treated, flip every interior edge that is no feature where the Delaunay criterion in the
     /// tangent plane and the normals allow it. 0: flip edges only to cure a triangle. Default 0.
     pub flips: i32,
     /// Operations on the tail that are carried out at most, over the whole mesh; 0: no bound. Default 0.
     pub tail_operations: size_t,
-    /// One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail, but
-    /// may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
+    /// One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail,
+    /// but may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
     pub triangle_mask: *const u8,
 }
 

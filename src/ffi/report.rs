@@ -132,7 +132,7 @@ pub struct qsm_report {
     /// Number of the first vertex (QSM_NON_FINITE_VERTEX), triangle (QSM_INDEX_OUT_OF_RANGE) or marked edge
     /// (QSM_FEATURE_EDGE_OUT_OF_RANGE) at fault, from 0; QSM_NO_OFFENDER where no element is.
     pub offender: u64,
-    /// Name of the argument or option at fault, as in this header; NULL where none is. Lives for ever.
+    /// Name of the argument, option or map at fault, as in this header; NULL where none is. Lives for ever.
     pub offender_name: *const c_char,
     /// What the call returned.
     pub status: qsm_status,

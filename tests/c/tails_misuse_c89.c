@@ -91,7 +91,8 @@ static qsm_status collapse(float *positions, size_t *vertices, size_t stride, ui
     return qsm_collapse_tails_f32(positions, vertices, stride, indices, corners, &options, &call.maps, &report);
 }
 
-static qsm_status improve_doubles(double *positions, size_t *vertices, size_t stride, uint32_t *indices, size_t *corners)
+static qsm_status improve_doubles(double *positions, size_t *vertices, size_t stride, uint32_t *indices,
+                                  size_t *corners)
 {
     remember();
     return qsm_improve_f64(positions, vertices, stride, indices, corners, &options, &call.maps, &report);

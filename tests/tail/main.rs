@@ -19,12 +19,7 @@ struct Result<R> {
 }
 
 /// Treats the tail alone.
-fn collapse_tails(
-    before: &Soup,
-    options: &Options,
-    tail: &TailOptions<'_>,
-    fixed: &Constraints<'_>,
-) -> Result<TailReport> {
+fn collapse_tails(before: &Soup, options: &Options, tail: &TailOptions<'_>, fixed: &Constraints<'_>) -> Result<TailReport> {
     let mut after = before.clone();
     let mut sources = Sources::default();
     let (positions, triangles) = (&mut after.positions, &mut after.triangles);

@@ -54,11 +54,7 @@ fn a_cap_with_locked_vertices_is_flipped() {
     let fixed = Constraints { locked: &locked, ..Constraints::default() };
     let all_locked = collapse_tails(&before, &Options::default(), &TailOptions::default(), &fixed);
     assert_eq!(all_locked.after, before, "triangles of locked vertices stay");
-    assert!(
-        all_locked.report.leftovers.iter().all(|l| l.reason == Reason::Locked),
-        "{:?}",
-        all_locked.report.leftovers
-    );
+    assert!(all_locked.report.leftovers.iter().all(|l| l.reason == Reason::Locked), "{:?}", all_locked.report.leftovers);
     assert!(all_locked.report.tails_after > 0);
 
     let free = Constraints::default();

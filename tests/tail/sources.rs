@@ -34,8 +34,7 @@ fn treated() -> (Soup, Result<qsmesh::Improvement>) {
     let seam = seam();
     let fixed = Constraints { feature_edges: &seam, ..Constraints::default() };
     let options = Options { feature_angle: None, ..Options::default() };
-    let tail =
-        TailOptions { min_angle: 35.0, max_angle: 105.0, edge_ratio: 2.0, flips: true, ..TailOptions::default() };
+    let tail = TailOptions { min_angle: 35.0, max_angle: 105.0, edge_ratio: 2.0, flips: true, ..TailOptions::default() };
     let result = improve(&before, &options, &tail, &fixed);
     assert_sound(&before, &result.after, &result.sources);
     let report = &result.report.tail;
@@ -115,8 +114,7 @@ fn materials_meet_along_the_marked_edges_only() {
         }
     }
     let old = |v: u32| result.sources.vertex[v as usize];
-    let meeting =
-        owner.iter().filter(|&(&(a, b), m)| a < b && owner[&(b, a)] != *m).map(|(&(a, b), _)| [old(a), old(b)]);
+    let meeting = owner.iter().filter(|&(&(a, b), m)| a < b && owner[&(b, a)] != *m).map(|(&(a, b), _)| [old(a), old(b)]);
     let mut meeting: Vec<_> = meeting.collect();
     let mut marked: Vec<_> = parting.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
     meeting.sort_unstable();
