@@ -122,8 +122,8 @@ pub unsafe extern "C" fn qsm_smooth_f64(
 /// Returns QSM_OK, or another status; then buffers, counts and maps are as they were, and the report says what is at
 /// fault. A triangle that could not be cured is no error, but listed in maps with the reason.
 ///
-/// Features and the boundary stay, and locked vertices keep their bits. The enclosed volume of a closed mesh stays as it
-/// is but for rounding to the precision of the buffer. The same input gives the same result.
+/// Features and the boundary stay, and locked vertices keep their bits. The enclosed volume of a closed mesh stays as
+/// it is but for rounding to the precision of the buffer. The same input gives the same result.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qsm_collapse_tails_f32(
     positions: *mut f32,
