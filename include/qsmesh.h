@@ -507,8 +507,8 @@ typedef struct qsm_maps {
     uint32_t *triangle_source;
     /**
      * For each corner that came out (3 * triangle + 0, 1 or 2), a corner that went in (numbered likewise) of the same
-     * vertex, on the same side of all features, and of the triangle in triangle_source where that has the vertex. Not
-     * always rising. Room for as many numbers as indices go in. NULL: not wanted. Default NULL.
+     * vertex on the same side of all features, in the triangle in triangle_source if that is known to have one there.
+     * Not always rising. Room for as many numbers as indices go in. NULL: not wanted. Default NULL.
      */
     uint32_t *corner_source;
     /**

@@ -16,21 +16,23 @@ impl<'a> Surface<'a> {
     }
 
     /// Distance from `point`, where vertex `v` has come to lie, to the original surface. Only triangles around the
-    /// original vertex nearest to the point are looked at, found by walking from `v`: never less than the true distance.
+    /// original vertex nearest to the point are looked at, found by walking from `v`, and of hubs only the own one: never
+    /// less than the true distance.
     pub fn distance(&self, v: u32, point: DVec3) -> f64 {
         let nearest = self.walk(v, point);
         let mut least = self.distance_to_star(nearest, point);
-        for &r in self.stars.ring(nearest) {
+        for &r in self.stars.ring(nearest).iter().filter(|&&r| !self.stars.is_hub(r)) {
             least = least.min(self.distance_to_star(r, point));
         }
         least.sqrt()
     }
 
-    /// From vertex to vertex as long as one of the ring is nearer to the point.
+    /// From vertex to vertex, hubs left out, as long as one of the ring is nearer to the point.
     fn walk(&self, mut v: u32, point: DVec3) -> u32 {
         loop {
             let square = |r: u32| self.mesh.positions[r as usize].distance_squared(point);
-            let next = self.stars.ring(v).iter().copied().min_by(|&a, &b| square(a).total_cmp(&square(b)));
+            let ring = self.stars.ring(v).iter().copied().filter(|&r| !self.stars.is_hub(r));
+            let next = ring.min_by(|&a, &b| square(a).total_cmp(&square(b)));
             match next {
                 Some(next) if square(next) < square(v) => v = next,
                 _ => return v,

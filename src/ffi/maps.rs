@@ -68,8 +68,8 @@ pub struct qsm_maps {
     /// Room for as many numbers as triangles go in. NULL: not wanted. Default NULL.
     pub triangle_source: *mut u32,
     /// For each corner that came out (3 * triangle + 0, 1 or 2), a corner that went in (numbered likewise) of the same
-    /// vertex, on the same side of all features, and of the triangle in triangle_source where that has the vertex. Not
-    /// always rising. Room for as many numbers as indices go in. NULL: not wanted. Default NULL.
+    /// vertex on the same side of all features, in the triangle in triangle_source if that is known to have one there.
+    /// Not always rising. Room for as many numbers as indices go in. NULL: not wanted. Default NULL.
     pub corner_source: *mut u32,
     /// Triangles that could not be cured, by rising number. May be NULL if leftover_capacity is 0. Default NULL.
     pub leftovers: *mut qsm_leftover,

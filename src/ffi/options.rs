@@ -270,28 +270,6 @@ pub(super) fn parameter(value: qsm_parameter) -> Result<Parameter, Error> {
     }
 }
 
-/// The name of an option as a C string that lives for ever.
-pub(super) fn c_name(name: &str) -> Option<&'static CStr> {
-    const NAMES: [&CStr; 15] = [
-        c"iterations",
-        c"plane",
-        c"ideal",
-        c"boundary",
-        c"relaxation",
-        c"interval_width",
-        c"sample_limit",
-        c"quality_floor",
-        c"feature_angle",
-        c"max_deviation",
-        c"tail_edge_ratio",
-        c"tail_min_angle",
-        c"tail_max_angle",
-        c"tail_attempts",
-        c"flips",
-    ];
-    NAMES.into_iter().find(|known| known.to_bytes() == name.as_bytes())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -28,7 +28,7 @@ const LOST: [f64; 2] = [0.12, 0.3];
 /// Looks at candidates for one patch.
 pub(super) struct Judge<'a> {
     pub around: &'a Surroundings<'a>,
-    pub live: &'a Live,
+    pub live: &'a Live<'a>,
     pub patch: &'a Patch,
     pub limits: &'a Limits,
 }
@@ -167,4 +167,69 @@ fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
 fn cosine(a: DVec3, b: DVec3) -> f64 {
     let square = a.length_squared() * b.length_squared();
     if square > 0.0 { a.dot(b) / square.sqrt() } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::{Constraints, Options};
+    use crate::preparation::Preparation;
+    use crate::tail::options::TailOptions;
+
+    /// A hexagonal star of triangles in a plane; its centre is vertex 0.
+    fn star() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let h = 0.75_f64.sqrt();
+        let ring = [[1.0, 0.0], [0.5, h], [-0.5, h], [-1.0, 0.0], [-0.5, -h], [0.5, -h]];
+        let positions = [[0.0; 2]].iter().chain(&ring).map(|p| [p[0], p[1], 0.0]).collect();
+        (positions, (0..6).map(|i| [0, 1 + i, 1 + (i + 1) % 6]).collect())
+    }
+
+    /// What speaks against a change of the patch of the whole mesh.
+    fn objection(floor: f64, tail: &TailOptions<'_>, change: impl Fn(&mut Shape)) -> Option<Reason> {
+        let (positions, triangles) = star();
+        let options = Options { quality_floor: floor, ..Options::default() };
+        let prepared = Preparation::new(&positions, &triangles, &options, &Constraints::default()).expect("valid");
+        let around = prepared.surroundings(&options);
+        let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
+        let patch = Patch::of_stars(&live, &around, &[0]);
+        let mut shape = patch.shape.clone();
+        change(&mut shape);
+        Judge { around: &around, live: &live, patch: &patch, limits: &Limits::new(tail) }.objection(&shape)
+    }
+
+    #[test]
+    fn a_small_move_is_welcome() {
+        let change = |shape: &mut Shape| shape.positions[0] += DVec3::new(0.05, 0.05, 0.0);
+        assert_eq!(objection(0.5, &TailOptions::default(), change), None);
+    }
+
+    #[test]
+    fn a_shape_below_the_floor_is_refused() {
+        let change = |shape: &mut Shape| shape.positions[0] += DVec3::new(0.5, 0.0, 0.0);
+        let open = TailOptions { edge_ratio: 100.0, min_angle: 1.0, max_angle: 179.0, ..TailOptions::default() };
+        assert_eq!(objection(0.9, &open, change), Some(Reason::Fold));
+        assert_eq!(objection(0.1, &open, change), None);
+    }
+
+    #[test]
+    fn a_measure_of_the_tail_that_gets_worse_is_refused() {
+        let change = |shape: &mut Shape| shape.positions[0] += DVec3::new(0.5, 0.0, 0.0);
+        let strict = TailOptions { edge_ratio: 1.5, min_angle: 1.0, max_angle: 179.0, ..TailOptions::default() };
+        assert_eq!(objection(0.1, &strict, change), Some(Reason::Fold));
+    }
+
+    #[test]
+    fn a_sharp_bend_is_refused() {
+        let change = |shape: &mut Shape| shape.positions[0].z += 2.0;
+        assert_eq!(objection(0.0, &TailOptions::default(), change), Some(Reason::Fold));
+    }
+
+    #[test]
+    fn triangles_that_turn_their_backs_are_refused() {
+        let change = |shape: &mut Shape| {
+            shape.pieces.iter_mut().for_each(|piece| piece.slot = None);
+            shape.positions.iter_mut().for_each(|p| p.x = -p.x);
+        };
+        assert_eq!(objection(0.0, &TailOptions::default(), change), Some(Reason::Fold));
+    }
 }

@@ -2,7 +2,6 @@
 
 use super::patch::{Freedom, Patch, Piece, Shape, cycle};
 use super::report::Reason;
-use crate::sweep::Surroundings;
 
 /// The triangles to be replaced and their rim.
 pub(super) struct Cavity {
@@ -13,20 +12,14 @@ pub(super) struct Cavity {
 }
 
 impl Cavity {
-    /// The union of the stars of the `inner` vertices: a disc with these vertices inside, without a feature across it, and
-    /// without a triangle whose three corners are locked.
-    pub fn of_stars(patch: &Patch, around: &Surroundings<'_>, inner: &[usize]) -> Result<Self, Reason> {
-        let shape = &patch.shape;
+    /// The union of the stars of the `inner` vertices: a disc with these vertices inside, or a `Topology` reason. Where the
+    /// inner vertices may be removed, no feature ends at them, so none crosses the cavity. That the rim passes each vertex
+    /// once is the link condition.
+    pub fn of_stars(shape: &Shape, inner: &[usize]) -> Result<Self, Reason> {
         let touches = |p: &Piece| p.corners.iter().any(|v| inner.contains(v));
         let pieces: Vec<_> = (0..shape.pieces.len()).filter(|&i| touches(&shape.pieces[i])).collect();
         let edges: Vec<_> = pieces.iter().flat_map(|&i| sides(&shape.pieces[i])).collect();
         let is_rim = |&(a, b): &(usize, usize)| !edges.contains(&(b, a));
-        if edges.iter().any(|&(a, b)| a < b && !is_rim(&(a, b)) && patch.is_feature(around, a, b)) {
-            return Err(Reason::Feature);
-        }
-        if pieces.iter().any(|&i| is_locked(patch, &shape.pieces[i])) {
-            return Err(Reason::Locked);
-        }
         let rim_edges: Vec<_> = edges.iter().copied().filter(is_rim).collect();
         let rim = cycle(&rim_edges).ok_or(Reason::Topology)?;
         // Euler's formula for a disc.

@@ -16,7 +16,7 @@ pub(super) fn collapse(patch: &Patch, around: &Surroundings<'_>, a: usize, b: us
     if let Some(reason) = stays {
         return Err(reason);
     }
-    let cavity = Cavity::of_stars(patch, around, &[kept, lost])?;
+    let cavity = Cavity::of_stars(&patch.shape, &[kept, lost])?;
     let middle = around.mesh.storable((patch.shape.positions[kept] + patch.shape.positions[lost]) * 0.5);
     let triangles = fill(&patch.shape, &cavity.rim, Some((kept, middle))).ok_or(Reason::Fold)?;
     let mut shape = cavity.filled(&patch.shape, &triangles);

@@ -14,7 +14,7 @@ pub(super) struct Compact {
 }
 
 impl Compact {
-    pub fn new(live: &Live) -> Result<Self, Error> {
+    pub fn new(live: &Live<'_>) -> Result<Self, Error> {
         let mut numbers = memory::filled(0_u32, live.positions.len())?;
         live.removed.iter().for_each(|&v| numbers[v as usize] = u32::MAX);
         let mut vertex = memory::reserved(live.positions.len() - live.removed.len())?;

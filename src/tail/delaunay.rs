@@ -13,7 +13,7 @@ use super::live::{GONE, Live};
 use super::patch::{Patch, Shape};
 use super::rank::Rank;
 use super::relax::Relaxer;
-use super::topology::fresh;
+use super::topology::{fresh, slots_taken_out};
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::repeats_a_vertex;
@@ -45,7 +45,7 @@ pub(super) struct Flipper<'a> {
 }
 
 impl<'a> Flipper<'a> {
-    pub fn new(around: &'a Surroundings<'a>, limits: &'a Limits, live: &Live) -> Result<Self, Error> {
+    pub fn new(around: &'a Surroundings<'a>, limits: &'a Limits, live: &Live<'_>) -> Result<Self, Error> {
         let slots = live.triangles.len();
         let mut queue = memory::reserved(slots)?;
         queue.extend(0..slots as u32);
@@ -62,7 +62,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// Flips until no edge wants it any more, then visits the stars that have changed.
-    pub fn run(&mut self, live: &mut Live, tell: &mut Progress<'_>) -> Result<(), Error> {
+    pub fn run(&mut self, live: &mut Live<'_>, tell: &mut Progress<'_>) -> Result<(), Error> {
         let first = self.queue.len().max(1) as f64;
         let mut seen = 0_usize;
         while let Some(slot) = self.queue.pop_front() {
@@ -82,7 +82,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// Flips the first edge of a triangle that wants it and may be flipped.
-    fn look_at(&mut self, live: &mut Live, slot: u32) {
+    fn look_at(&mut self, live: &mut Live<'_>, slot: u32) {
         let corners = live.triangles[slot as usize];
         if corners == GONE || repeats_a_vertex(&corners) {
             return;
@@ -99,16 +99,16 @@ impl<'a> Flipper<'a> {
     }
 
     /// Flips the edge p–q of the triangles (p, q, r) and (q, p, s) if everything allows it.
-    fn flip(&mut self, live: &mut Live, quad: [u32; 4]) -> bool {
+    fn flip(&mut self, live: &mut Live<'_>, quad: [u32; 4]) -> bool {
         let patch = Patch::of_stars(live, self.around, &quad);
         let Ok(mut shape) = flip(&patch, self.around, 0, 1) else {
             return false;
         };
-        let spent = |p: &&super::patch::Piece| p.slot.is_some_and(|s| self.flips[s as usize] >= MOST_FLIPS);
-        if patch.shape.pieces.iter().filter(|p| !shape.pieces.contains(p)).any(|p| spent(&p)) {
-            return false;
-        }
-        if !debt::pay(&mut self.relaxer, &patch, &mut shape, &[0, 1, 2, 3]) || !self.is_gain(live, &patch, &shape) {
+        let spent = slots_taken_out(&patch, &shape).iter().any(|&s| self.flips[s as usize] >= MOST_FLIPS);
+        if spent
+            || !debt::pay(&mut self.relaxer, &patch, &mut shape, &[0, 1, 2, 3])
+            || !self.is_gain(live, &patch, &shape)
+        {
             return false;
         }
         self.count += 1;
@@ -124,7 +124,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// Whether the worse of the two triangles is better afterwards, the tail no worse, and nothing speaks against it.
-    fn is_gain(&self, live: &Live, patch: &Patch, shape: &Shape) -> bool {
+    fn is_gain(&self, live: &Live<'_>, patch: &Patch, shape: &Shape) -> bool {
         let gone = patch.shape.pieces.iter().filter(|p| !shape.pieces.contains(p));
         let before = gone.map(|p| Sides::new(patch.shape.corners(p)).shape()).fold(f64::INFINITY, f64::min);
         let after = fresh(shape).map(|p| Sides::new(shape.corners(p)).shape()).fold(f64::INFINITY, f64::min);
@@ -134,7 +134,7 @@ impl<'a> Flipper<'a> {
     }
 
     /// The operation on the star of `v` as it is now.
-    fn visit(&mut self, live: &mut Live, v: u32) {
+    fn visit(&mut self, live: &mut Live<'_>, v: u32) {
         let patch = Patch::of_stars(live, self.around, &[v]);
         let mut shape = patch.shape.clone();
         if self.relaxer.operate(&patch, &mut shape, 0) {
@@ -144,7 +144,7 @@ impl<'a> Flipper<'a> {
 }
 
 /// The third corner of the one other triangle at the edge p–q, if the edge has exactly two and they agree.
-fn third_corner(live: &Live, p: u32, q: u32) -> Option<u32> {
+fn third_corner(live: &Live<'_>, p: u32, q: u32) -> Option<u32> {
     let slots = live.around_all(&[p, q]).iter();
     let mut beside = slots.map(|&s| live.triangles[s as usize]).filter(|t| t.contains(&p) && t.contains(&q));
     let pair = [beside.next()?, beside.next()?];

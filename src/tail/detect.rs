@@ -5,7 +5,11 @@ use super::live::{GONE, Live};
 use crate::mesh::repeats_a_vertex;
 
 /// Slots of the tail triangles, with their excess. A triangle that names a vertex twice has infinite excess.
-pub(super) fn tails<'a>(live: &'a Live, limits: &'a Limits, mask: &'a [bool]) -> impl Iterator<Item = (u32, f64)> + 'a {
+pub(super) fn tails<'a>(
+    live: &'a Live<'a>,
+    limits: &'a Limits,
+    mask: &'a [bool],
+) -> impl Iterator<Item = (u32, f64)> + 'a {
     let asked = |slot: u32| mask.get(live.triangle_source[slot as usize] as usize).copied().unwrap_or(true);
     let suspect = |slot: &u32| {
         let corners = &live.triangles[*slot as usize];
@@ -18,7 +22,7 @@ pub(super) fn tails<'a>(live: &'a Live, limits: &'a Limits, mask: &'a [bool]) ->
 }
 
 /// Excess of the triangle in a slot; `None` if the slot is given up.
-pub(super) fn excess(live: &Live, limits: &Limits, slot: u32) -> Option<f64> {
+pub(super) fn excess(live: &Live<'_>, limits: &Limits, slot: u32) -> Option<f64> {
     let corners = &live.triangles[slot as usize];
     if *corners == GONE {
         None

@@ -7,7 +7,7 @@ use super::report::{Defect, Leftover, Reason};
 use crate::mesh::repeats_a_vertex;
 
 /// Lists the triangles still in the tail; `number` gives the output number of each slot.
-pub(super) fn list(live: &Live, limits: &Limits, queue: &Queue<'_>, number: impl Fn(u32) -> u32) -> Vec<Leftover> {
+pub(super) fn list(live: &Live<'_>, limits: &Limits, queue: &Queue<'_>, number: impl Fn(u32) -> u32) -> Vec<Leftover> {
     let defect = |slot: u32| {
         let degenerate = repeats_a_vertex(&live.triangles[slot as usize]);
         if degenerate { Defect::Degenerate } else { limits.defect(live.corners(slot)) }

@@ -48,16 +48,23 @@ impl Limits {
 
     /// What is wrong with a triangle of the tail.
     pub fn defect(&self, corners: [DVec3; 3]) -> Defect {
-        let [ratio, _, large] = self.parts(corners);
+        let [ratio, small, large] = self.parts(corners);
         if large == f64::INFINITY {
             Defect::Degenerate
-        } else if large > 1.0 {
+        } else if large > 1.0 && large >= ratio {
             Defect::Cap
         } else if ratio > 1.0 {
             Defect::Needle
         } else {
+            debug_assert!(small > 1.0, "not in the tail");
             Defect::SmallAngle
         }
+    }
+
+    /// Whether a triangle is rather a needle than a cap.
+    pub fn is_needle(&self, corners: [DVec3; 3]) -> bool {
+        let [ratio, _, large] = self.parts(corners);
+        ratio > large
     }
 
     /// The three quotients of which the excess is the largest: of the edge ratio, the smallest and the largest angle.
@@ -83,4 +90,43 @@ impl Limits {
 fn sorted([a, b, c]: [f64; 3]) -> [f64; 3] {
     let (low, high) = (a.min(b), a.max(b));
     [low.min(c), low.max(high.min(c)), high.max(c)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quality::triangle::Sides;
+    use proptest::prelude::*;
+
+    fn corners(apex: [f64; 2]) -> [DVec3; 3] {
+        [DVec3::ZERO, DVec3::X, DVec3::new(apex[0], apex[1], 0.0)]
+    }
+
+    #[test]
+    fn each_defect_is_told() {
+        let limits = Limits::new(&TailOptions::default());
+        for (apex, defect) in [
+            ([0.5, 0.0], Defect::Degenerate),
+            ([0.5, 0.1], Defect::Cap),
+            ([0.1, 0.2], Defect::Needle),
+            ([0.5, 2.86], Defect::SmallAngle),
+        ] {
+            assert!(limits.excess(corners(apex)) > 1.0);
+            assert_eq!(limits.defect(corners(apex)), defect, "{apex:?}");
+        }
+        assert!(limits.excess([DVec3::ONE; 3]) == f64::INFINITY);
+    }
+
+    proptest! {
+        #[test]
+        fn the_excess_passes_1_where_a_measure_passes_its_threshold(x in -1.0..2.0, y in 0.01..3.0) {
+            let limits = Limits::new(&TailOptions::default());
+            let sides = Sides::new(corners([x, y]));
+            let passed = [sides.edge_ratio() / 3.0, 20.0 / sides.min_angle(), sides.max_angle() / 130.0];
+            let most = passed.into_iter().fold(0.0, f64::max);
+            prop_assume!((most - 1.0_f64).abs() > 1e-9);
+            prop_assert_eq!(limits.excess(corners([x, y])) > 1.0, most > 1.0);
+            prop_assert!(most < 1.0 || !limits.is_clearly_fine(corners([x, y])));
+        }
+    }
 }

@@ -12,7 +12,9 @@ use crate::mesh::{Mesh, repeats_a_vertex};
 pub(super) const GONE: [u32; 3] = [u32::MAX; 3];
 
 /// The mesh as it is now. Triangles keep their slots; a slot that is given up holds [`GONE`].
-pub(super) struct Live {
+pub(super) struct Live<'a> {
+    /// The triangles as they came in.
+    pub input: &'a [[u32; 3]],
     pub positions: Vec<DVec3>,
     pub triangles: Vec<[u32; 3]>,
     /// Input triangle of each slot.
@@ -27,9 +29,9 @@ pub(super) struct Live {
     changed: BTreeMap<u32, Vec<u32>>,
 }
 
-impl Live {
+impl<'a> Live<'a> {
     /// Takes up the triangles of `mesh` with these positions.
-    pub fn new(mesh: &Mesh<'_>, positions: Vec<DVec3>) -> Result<Self, Error> {
+    pub fn new(mesh: &Mesh<'a>, positions: Vec<DVec3>) -> Result<Self, Error> {
         let count = mesh.triangles.len();
         let mut triangle_source = memory::reserved(count)?;
         triangle_source.extend(0..count as u32);
@@ -37,6 +39,7 @@ impl Live {
         corner_source.extend((0..count as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]));
         let (offsets, incident) = incidence(mesh.triangles, positions.len())?;
         Ok(Self {
+            input: mesh.triangles,
             positions,
             triangles: memory::copied(mesh.triangles)?,
             triangle_source,

@@ -52,7 +52,7 @@ pub(super) struct Patch {
 
 impl Patch {
     /// Takes up the triangle in a slot, the triangles around its corners, and those around the neighbours of these.
-    pub fn around(live: &Live, surroundings: &Surroundings<'_>, slot: u32) -> Self {
+    pub fn around(live: &Live<'_>, surroundings: &Surroundings<'_>, slot: u32) -> Self {
         let mut patch = Self { vertices: live.triangles[slot as usize].to_vec(), ..Self::default() };
         let mut slots = Vec::new();
         patch.take_up(live, &[slot], &mut slots);
@@ -63,14 +63,14 @@ impl Patch {
     }
 
     /// Takes up the triangles around some vertices.
-    pub fn of_stars(live: &Live, surroundings: &Surroundings<'_>, centres: &[u32]) -> Self {
+    pub fn of_stars(live: &Live<'_>, surroundings: &Surroundings<'_>, centres: &[u32]) -> Self {
         let mut patch = Self { vertices: centres.to_vec(), ..Self::default() };
         patch.take_up_stars(live, 0..centres.len(), &mut Vec::new());
         patch.complete(live, surroundings, centres.len())
     }
 
     /// Takes up the stars of the patch vertices in a range, but those that are too large.
-    fn take_up_stars(&mut self, live: &Live, centres: std::ops::Range<usize>, slots: &mut Vec<u32>) {
+    fn take_up_stars(&mut self, live: &Live<'_>, centres: std::ops::Range<usize>, slots: &mut Vec<u32>) {
         for v in centres {
             let around = live.around(self.vertices[v]);
             if around.len() <= LARGEST_STAR {
@@ -80,13 +80,13 @@ impl Patch {
     }
 
     /// Adds positions and freedoms; the stars of the first `inner` vertices have been taken up.
-    fn complete(mut self, live: &Live, surroundings: &Surroundings<'_>, inner: usize) -> Self {
+    fn complete(mut self, live: &Live<'_>, surroundings: &Surroundings<'_>, inner: usize) -> Self {
         self.shape.positions = self.vertices.iter().map(|&v| live.positions[v as usize]).collect();
         self.freedom = (0..self.vertices.len()).map(|v| self.freedom(live, surroundings, v, v < inner)).collect();
         self
     }
 
-    fn take_up(&mut self, live: &Live, around: &[u32], slots: &mut Vec<u32>) {
+    fn take_up(&mut self, live: &Live<'_>, around: &[u32], slots: &mut Vec<u32>) {
         for &slot in around {
             if !slots.contains(&slot) {
                 slots.push(slot);
@@ -104,7 +104,7 @@ impl Patch {
         })
     }
 
-    fn freedom(&self, live: &Live, around: &Surroundings<'_>, v: usize, inner: bool) -> Freedom {
+    fn freedom(&self, live: &Live<'_>, around: &Surroundings<'_>, v: usize, inner: bool) -> Freedom {
         let vertex = self.vertices[v];
         let is_whole = inner && live.around(vertex).len() <= LARGEST_STAR;
         match around.features.role(vertex) {

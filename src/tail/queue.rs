@@ -53,7 +53,7 @@ pub(super) struct Queue<'a> {
 
 impl<'a> Queue<'a> {
     /// All tail triangles of the mesh wait.
-    pub fn new(live: &Live, limits: &'a Limits, options: &'a TailOptions<'a>) -> Self {
+    pub fn new(live: &Live<'_>, limits: &'a Limits, options: &'a TailOptions<'a>) -> Self {
         let tails = detect::tails(live, limits, options.mask);
         let heap: BinaryHeap<_> = tails.map(|(slot, excess)| Waiting { excess, slot }).collect();
         let attempts = heap.iter().map(|w| (w.slot, 0)).collect();
@@ -74,7 +74,19 @@ impl<'a> Queue<'a> {
     /// triangles in the tail at the start that have been dealt with.
     pub fn run(
         &mut self,
-        live: &mut Live,
+        live: &mut Live<'_>,
+        surgeon: &mut Surgeon<'_>,
+        report: &mut TailReport,
+        tell: &mut Progress<'_>,
+    ) -> Result<(), Error> {
+        self.treat_all(live, surgeon, report, tell)?;
+        self.explain(live, surgeon);
+        Ok(())
+    }
+
+    fn treat_all(
+        &mut self,
+        live: &mut Live<'_>,
         surgeon: &mut Surgeon<'_>,
         report: &mut TailReport,
         tell: &mut Progress<'_>,
@@ -101,8 +113,19 @@ impl<'a> Queue<'a> {
         Ok(())
     }
 
+    /// Finds the reasons of those whose attempts have all been of use and yet not enough.
+    fn explain(&mut self, live: &Live<'_>, surgeon: &mut Surgeon<'_>) {
+        let spent = |slot: &u32| self.attempts[slot] >= self.options.attempts && !self.reasons.contains_key(slot);
+        let slots: Vec<_> = self.left(live).filter(spent).collect();
+        for slot in slots {
+            if let Err(reason) = surgeon.treat(live, slot) {
+                self.reasons.insert(slot, reason);
+            }
+        }
+    }
+
     /// The worst slot that is still as it was when it was put here and has attempts left.
-    fn next(&mut self, live: &Live) -> Option<u32> {
+    fn next(&mut self, live: &Live<'_>) -> Option<u32> {
         loop {
             let Waiting { excess, slot } = self.heap.pop()?;
             let tried = self.attempts.entry(slot).or_insert(0);
@@ -114,7 +137,7 @@ impl<'a> Queue<'a> {
     }
 
     /// Puts the change into the mesh, and the tail triangles near it back into the queue.
-    fn carry_out(&mut self, live: &mut Live, cure: &Cure, report: &mut TailReport) {
+    fn carry_out(&mut self, live: &mut Live<'_>, cure: &Cure, report: &mut TailReport) {
         let near = commit(live, &cure.patch, &cure.shape);
         self.lost_height = self.lost_height.max(cure.lost_height);
         match cure.operation {

@@ -7,7 +7,7 @@ pub struct Sources {
     pub vertex: Vec<u32>,
     /// For each output triangle the input triangle whose place it took.
     pub triangle: Vec<u32>,
-    /// For each output corner (3 × triangle + 0, 1 or 2) an input corner (counted likewise) of the same vertex, on the
-    /// same side of all feature edges, and of the source triangle where that has the vertex.
+    /// For each output corner (3 × triangle + 0, 1 or 2) an input corner (counted likewise) of the same vertex on the same
+    /// side of all feature edges, in the source triangle if that is known to have one there.
     pub corner: Vec<u32>,
 }

@@ -10,8 +10,9 @@ use super::patch::{Patch, Shape};
 use super::rank::Rank;
 use super::relax::Relaxer;
 use super::remove::remove;
-use super::report::{Defect, Reason};
+use super::report::Reason;
 use super::topology::fresh;
+use crate::mesh::repeats_a_vertex;
 use crate::sweep::Surroundings;
 
 /// Rounds of moves over the three corners, and over the whole patch.
@@ -49,14 +50,22 @@ pub(super) struct Surgeon<'a> {
 struct Findings {
     before: Rank,
     best: Option<(Rank, Shape, Operation)>,
-    /// Why candidates that would have cured it were refused, or could not be made.
-    refusals: Vec<Reason>,
+    /// Why candidates that would have cured it were refused.
+    refused: Vec<Reason>,
+    /// Why candidates could not be made at all.
+    impossible: Vec<Reason>,
 }
 
 impl Findings {
     /// What a candidate has to be better than.
     fn to_beat(&self) -> &Rank {
         self.best.as_ref().map_or(&self.before, |best| &best.0)
+    }
+
+    /// Why nothing has helped: what stood between the triangle and a cure, else what might have.
+    fn reason(&self) -> Reason {
+        let first = |reasons: &[Reason]| reasons.iter().min().copied();
+        first(&self.refused).or(first(&self.impossible)).unwrap_or(Reason::NoGain)
     }
 }
 
@@ -67,14 +76,14 @@ impl<'a> Surgeon<'a> {
 
     /// The first candidate that takes a triangle of the patch out of the tail; if none does, the one that makes the worst
     /// triangle best; else the reason.
-    pub fn treat(&mut self, live: &Live, slot: u32) -> Result<Cure, Reason> {
+    pub fn treat(&mut self, live: &Live<'_>, slot: u32) -> Result<Cure, Reason> {
         let corners = live.triangles[slot as usize];
-        if crate::mesh::repeats_a_vertex(&corners) {
+        if repeats_a_vertex(&corners) {
             return Err(Reason::Topology);
         }
         let patch = Patch::around(live, self.around, slot);
         let before = Rank::of(self.limits, &patch.shape);
-        let mut findings = Findings { before, best: None, refusals: Vec::new() };
+        let mut findings = Findings { before, best: None, refused: Vec::new(), impossible: Vec::new() };
         for operation in self.operations(live, &patch, slot) {
             if self.attempt(live, &patch, operation, &mut findings) {
                 break;
@@ -86,12 +95,12 @@ impl<'a> Surgeon<'a> {
                     Judge { around: self.around, live, patch: &patch, limits: self.limits }.lost_height(&shape);
                 Ok(Cure { patch, shape, operation, lost_height })
             }
-            None => Err(findings.refusals.into_iter().min().unwrap_or(Reason::NoGain)),
+            None => Err(findings.reason()),
         }
     }
 
     /// The candidates, the cheapest first.
-    fn operations(&self, live: &Live, patch: &Patch, slot: u32) -> Vec<Operation> {
+    fn operations(&self, live: &Live<'_>, patch: &Patch, slot: u32) -> Vec<Operation> {
         let p = &patch.shape.positions;
         let mut edges = [(0, 1), (1, 2), (2, 0)];
         edges.sort_by(|e, f| p[e.0].distance_squared(p[e.1]).total_cmp(&p[f.0].distance_squared(p[f.1])));
@@ -101,7 +110,7 @@ impl<'a> Surgeon<'a> {
         let removals = edges.iter().rev().map(|&(a, b)| Operation::Remove(3 - a - b));
         let mut all = vec![Operation::Move, Operation::MoveAll];
         all.extend(flips);
-        if self.limits.defect(live.corners(slot)) == Defect::Needle {
+        if self.limits.is_needle(live.corners(slot)) {
             all.extend(collapses.chain(removals));
         } else {
             all.extend(removals.chain(collapses));
@@ -110,12 +119,12 @@ impl<'a> Surgeon<'a> {
     }
 
     /// Tries one candidate. True if it cures.
-    fn attempt(&mut self, live: &Live, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
+    fn attempt(&mut self, live: &Live<'_>, patch: &Patch, operation: Operation, findings: &mut Findings) -> bool {
         match self.candidate(patch, operation, findings) {
             Ok(Some(shape)) => self.consider(live, patch, shape, operation, findings),
             Ok(None) => false,
             Err(reason) => {
-                findings.refusals.push(reason);
+                findings.impossible.push(reason);
                 false
             }
         }
@@ -128,7 +137,7 @@ impl<'a> Surgeon<'a> {
             Operation::Move | Operation::MoveAll => patch.shape.clone(),
             Operation::Flip(a, b) => flip(patch, self.around, a, b)?,
             Operation::Collapse(a, b) => collapse(patch, self.around, a, b)?,
-            Operation::Remove(v) => remove(patch, self.around, v)?,
+            Operation::Remove(v) => remove(patch, v)?,
         };
         if Rank::of_frozen(self.limits, patch, &shape).compare(found.to_beat()).is_ge() {
             return Ok(None);
@@ -146,7 +155,7 @@ impl<'a> Surgeon<'a> {
     /// Notes a candidate if it is the best so far and nothing speaks against it. True if it cures.
     fn consider(
         &mut self,
-        live: &Live,
+        live: &Live<'_>,
         patch: &Patch,
         shape: Shape,
         operation: Operation,
@@ -160,7 +169,7 @@ impl<'a> Surgeon<'a> {
         let judge = Judge { around: self.around, live, patch, limits: self.limits };
         if let Some(reason) = judge.objection(&shape) {
             if cures {
-                findings.refusals.push(reason);
+                findings.refused.push(reason);
             }
             return false;
         }

@@ -9,7 +9,7 @@ mod situations;
 mod sources;
 
 use meshes::Soup;
-use qsmesh::{Constraints, Error, Improvement, Options, Sources, TailOptions, TailReport, progress};
+use qsmesh::{Constraints, Improvement, Options, Sources, TailOptions, TailReport, progress};
 
 /// Everything that comes out of a call.
 struct Result<R> {
@@ -19,7 +19,12 @@ struct Result<R> {
 }
 
 /// Treats the tail alone.
-fn collapse_tails(before: &Soup, options: &Options, tail: &TailOptions<'_>, fixed: &Constraints<'_>) -> Result<TailReport> {
+fn collapse_tails(
+    before: &Soup,
+    options: &Options,
+    tail: &TailOptions<'_>,
+    fixed: &Constraints<'_>,
+) -> Result<TailReport> {
     let mut after = before.clone();
     let mut sources = Sources::default();
     let (positions, triangles) = (&mut after.positions, &mut after.triangles);

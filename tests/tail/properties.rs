@@ -73,6 +73,26 @@ proptest! {
     }
 
     #[test]
+    fn a_lopsided_tail_is_not_cured_at_the_cost_of_shape(before in random_mesh(), thin in any::<bool>()) {
+        let open = TailOptions { edge_ratio: 1e9, min_angle: 1e-3, max_angle: 179.999, ..TailOptions::default() };
+        let needles = TailOptions { edge_ratio: 1.5, ..open.clone() };
+        let caps = TailOptions { max_angle: 85.0, ..open };
+        let options = Options { feature_angle: None, quality_floor: 1.0, ..Options::default() };
+        let tail = if thin { needles } else { caps };
+        let result = collapse_tails(&before, &options, &tail, &Constraints::default());
+        prop_assert!(worst_shape(&result.after) >= worst_shape(&before) - 1e-9);
+    }
+
+    #[test]
+    fn no_measure_of_the_tail_gets_worse(before in random_mesh(), (options, tail) in random_options()) {
+        let report = collapse_tails(&before, &options, &tail, &Constraints::default()).report;
+        let limit = |value: f64, threshold: f64| value.max(threshold) + 1e-6;
+        prop_assert!(report.after.edge_ratio.max <= limit(report.before.edge_ratio.max, tail.edge_ratio));
+        prop_assert!(report.after.max_angle.max <= limit(report.before.max_angle.max, tail.max_angle));
+        prop_assert!(report.after.min_angle.min >= report.before.min_angle.min.min(tail.min_angle) - 1e-6);
+    }
+
+    #[test]
     fn nothing_folds_on_a_sphere(seed in any::<u64>()) {
         let before = meshes::sphere(3).jittered(seed, 0.04);
         let options = Options { feature_angle: None, ..Options::default() };
