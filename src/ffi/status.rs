@@ -111,7 +111,7 @@ impl From<Error> for Failure {
 
 /// The name of an option as a C string that lives for ever.
 fn c_name(name: &str) -> Option<&'static CStr> {
-    const NAMES: [&CStr; 10] = [
+    const NAMES: [&CStr; 15] = [
         c"iterations",
         c"plane",
         c"ideal",
@@ -122,6 +122,11 @@ fn c_name(name: &str) -> Option<&'static CStr> {
         c"quality_floor",
         c"feature_angle",
         c"max_deviation",
+        c"tail_edge_ratio",
+        c"tail_min_angle",
+        c"tail_max_angle",
+        c"tail_attempts",
+        c"flips",
     ];
     NAMES.into_iter().find(|known| known.to_bytes() == name.as_bytes())
 }
