@@ -58,7 +58,7 @@ pub struct Options {
     /// Greatest distance of a vertex from the original surface, in the units of the coordinates, at least 0;
     /// `None`: no bound. Default `None`.
     pub max_deviation: Option<f64>,
-    /// Fill `before`, `after` and `max_deviation` of the report. Costs about as much as a sweep. Default true.
+    /// Fill `before`, `after` and `max_deviation` of the report. Costs as much as several sweeps. Default true.
     pub measure: bool,
 }
 
