@@ -44,6 +44,11 @@ typedef int32_t qsm_ideal;
 typedef int32_t qsm_boundary;
 
 /**
+ * Order in which a sweep visits the vertices: QSM_ORDER_COLORS or QSM_ORDER_INDEX.
+ */
+typedef int32_t qsm_order;
+
+/**
  * Answer of the progress callback: QSM_CONTINUE or QSM_CANCEL. Any other value counts as QSM_CANCEL.
  */
 typedef int32_t qsm_flow;
@@ -77,6 +82,15 @@ typedef struct qsm_options {
      * Treatment of boundary vertices. Default QSM_BOUNDARY_FIXED.
      */
     qsm_boundary boundary;
+    /**
+     * Order of the visits. Default QSM_ORDER_COLORS.
+     */
+    qsm_order order;
+    /**
+     * Threads at most, 0 to 1024; 0: as many as the machine runs at once. Small meshes stay on one. The result is the
+     * same for any number. Default 0.
+     */
+    uint32_t threads;
     /**
      * Over-relaxation of each move, above 0 and at most 2. Default 1.2.
      */
@@ -636,6 +650,16 @@ typedef int32_t qsm_parameter;
  * They slide along the boundary; its corners stay.
  */
 #define QSM_BOUNDARY_SLIDE 1
+
+/**
+ * By colour, on all threads: no two vertices of one colour have a neighbour in common.
+ */
+#define QSM_ORDER_COLORS 0
+
+/**
+ * By vertex index, on one thread.
+ */
+#define QSM_ORDER_INDEX 1
 
 /**
  * Go on.

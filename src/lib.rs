@@ -24,7 +24,7 @@ mod tail;
 pub use error::Error;
 pub use improve::{Improvement, collapse_tails, improve};
 pub use mesh::Coordinate;
-pub use options::{Boundary, Constraints, Ideal, Options, Plane};
+pub use options::{Boundary, Constraints, Ideal, Options, Order, Plane};
 pub use progress::{Flow, Progress};
 pub use quality::{Distribution, Measurement, Parameter, histogram, measure};
 pub use report::{Kept, Report, Seconds};

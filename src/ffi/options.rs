@@ -11,7 +11,7 @@ use super::block::Block;
 use super::status::Failure;
 use super::struct_size::Versioned;
 use crate::error::Error;
-use crate::options::{Boundary, Ideal, Options, Plane};
+use crate::options::{Boundary, Ideal, Options, Order, Plane};
 use crate::quality::Parameter;
 use crate::tail::TailOptions;
 
@@ -36,6 +36,13 @@ pub type qsm_boundary = i32;
 pub const QSM_BOUNDARY_FIXED: qsm_boundary = 0;
 /// They slide along the boundary; its corners stay.
 pub const QSM_BOUNDARY_SLIDE: qsm_boundary = 1;
+
+/// Order in which a sweep visits the vertices: QSM_ORDER_COLORS or QSM_ORDER_INDEX.
+pub type qsm_order = i32;
+/// By colour, on all threads: no two vertices of one colour have a neighbour in common.
+pub const QSM_ORDER_COLORS: qsm_order = 0;
+/// By vertex index, on one thread.
+pub const QSM_ORDER_INDEX: qsm_order = 1;
 
 /// Answer of the progress callback: QSM_CONTINUE or QSM_CANCEL. Any other value counts as QSM_CANCEL.
 pub type qsm_flow = i32;
@@ -76,6 +83,11 @@ pub struct qsm_options {
     pub ideal: qsm_ideal,
     /// Treatment of boundary vertices. Default QSM_BOUNDARY_FIXED.
     pub boundary: qsm_boundary,
+    /// Order of the visits. Default QSM_ORDER_COLORS.
+    pub order: qsm_order,
+    /// Threads at most, 0 to 1024; 0: as many as the machine runs at once. Small meshes stay on one. The result is the
+    /// same for any number. Default 0.
+    pub threads: u32,
     /// Over-relaxation of each move, above 0 and at most 2. Default 1.2.
     pub relaxation: f64,
     /// Interval width of the sampling histogram in units of the edge ratio, 0.001 to 1000. Default 0.5.
@@ -133,6 +145,8 @@ impl Default for qsm_options {
             plane: QSM_PLANE_VECTOR_AREA,
             ideal: QSM_IDEAL_MODELLED,
             boundary: QSM_BOUNDARY_FIXED,
+            order: QSM_ORDER_COLORS,
+            threads: defaults.threads,
             relaxation: defaults.relaxation,
             interval_width: defaults.interval_width,
             sample_limit: defaults.sample_limit,
@@ -174,6 +188,8 @@ impl qsm_options {
             quality_floor: self.quality_floor,
             feature_angle: Some(self.feature_angle).filter(|&angle| angle != 0.0),
             boundary: boundary(self.boundary).ok_or(unknown("boundary", self.boundary))?,
+            order: order(self.order).ok_or(unknown("order", self.order))?,
+            threads: self.threads,
             max_deviation: Some(self.max_deviation).filter(|&bound| bound != f64::INFINITY),
             measure,
         })
@@ -231,6 +247,14 @@ fn boundary(value: qsm_boundary) -> Option<Boundary> {
     match value {
         QSM_BOUNDARY_FIXED => Some(Boundary::Fixed),
         QSM_BOUNDARY_SLIDE => Some(Boundary::Slide),
+        _ => None,
+    }
+}
+
+fn order(value: qsm_order) -> Option<Order> {
+    match value {
+        QSM_ORDER_COLORS => Some(Order::Colors),
+        QSM_ORDER_INDEX => Some(Order::Index),
         _ => None,
     }
 }
@@ -312,11 +336,12 @@ mod tests {
 
     #[test]
     fn each_constant_means_its_own_variant() {
-        let given = qsm_options { plane: 1, ideal: 1, boundary: 1, ..Default::default() };
+        let given = qsm_options { plane: 1, ideal: 1, boundary: 1, order: 1, threads: 3, ..Default::default() };
         let settings = given.settings(true).unwrap();
         assert_eq!(settings.plane, Plane::LeastSquares);
         assert_eq!(settings.ideal, Ideal::Equilateral);
         assert_eq!(settings.boundary, Boundary::Slide);
+        assert_eq!((settings.order, settings.threads), (Order::Index, 3));
         for (value, expected) in (0..).zip(Parameter::ALL) {
             assert_eq!(parameter(value), Ok(expected));
         }

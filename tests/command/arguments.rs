@@ -18,6 +18,8 @@ fn help_gives_ranges_and_defaults() {
         ("--ideal", "modelled"),
         ("--feature-angle", "30"),
         ("--boundary", "fixed"),
+        ("--order", "colors"),
+        ("--threads", "0"),
         ("--interval-width", "0.5"),
         ("--sample-limit", "3"),
         ("--quality-floor", "0.5"),
@@ -57,6 +59,8 @@ fn wrong_usage_is_told_apart() {
         ("--quality-floor", "1.5"),
         ("--max-deviation", "-1%"),
         ("--plane", "flat"),
+        ("--order", "random"),
+        ("--threads", "1025"),
     ] {
         let run = workspace.run(&["smooth", "a.off", "-o", "b.off", option, value]);
         assert_eq!(run.code, 2, "{option} {value}: {}", run.stderr);

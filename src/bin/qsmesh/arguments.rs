@@ -166,6 +166,14 @@ pub struct MethodArguments {
     #[arg(long, value_enum, default_value_t = Boundary::Fixed)]
     pub boundary: Boundary,
 
+    /// Order in which a sweep visits the vertices.
+    #[arg(long, value_enum, default_value_t = Order::Colors)]
+    pub order: Order,
+
+    /// Threads at most; 0: as many as the machine runs at once. The result is the same for any number. Range 0 to 1024.
+    #[arg(long, value_name = "N", default_value_t = Options::default().threads)]
+    pub threads: u32,
+
     /// Greatest distance of a vertex from the original surface: a number in the units of the coordinates, or a number
     /// with % in percent of the bounding box's diagonal. Range from 0. Default: no bound.
     #[arg(long, value_name = "D|D%", allow_hyphen_values = true, value_parser = parse_distance)]
@@ -231,6 +239,15 @@ pub enum Boundary {
     Fixed,
     /// They slide along the boundary; its corners stay.
     Slide,
+}
+
+/// `--order`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Order {
+    /// By colour, on all threads.
+    Colors,
+    /// By vertex index, on one thread.
+    Index,
 }
 
 /// `--feature-angle`: degrees, or `None` for `off`.
@@ -314,6 +331,11 @@ impl MethodArguments {
                 Boundary::Fixed => qsmesh::Boundary::Fixed,
                 Boundary::Slide => qsmesh::Boundary::Slide,
             },
+            order: match self.order {
+                Order::Colors => qsmesh::Order::Colors,
+                Order::Index => qsmesh::Order::Index,
+            },
+            threads: self.threads,
             ..Options::default()
         }
     }
@@ -395,6 +417,10 @@ mod tests {
             "equilateral",
             "--boundary",
             "slide",
+            "--order",
+            "index",
+            "--threads",
+            "3",
             "--feature-angle",
             "off",
             "--iterations",
@@ -412,6 +438,8 @@ mod tests {
             plane: qsmesh::Plane::LeastSquares,
             ideal: qsmesh::Ideal::Equilateral,
             boundary: qsmesh::Boundary::Slide,
+            order: qsmesh::Order::Index,
+            threads: 3,
             feature_angle: None,
             iterations: 7,
             relaxation: 1.0,
