@@ -14,6 +14,7 @@ use crate::report::Report;
 use crate::smooth;
 use crate::sweep::Surroundings;
 use crate::tail::{self, Outcome, Sources, TailOptions, TailReport};
+use crate::threads::Threads;
 
 /// Share of the work that the sweeps are taken for.
 const SWEEPS: f64 = 0.7;
@@ -80,7 +81,9 @@ pub fn improve<T: Coordinate>(
     let prepared = Preparation::new(positions, triangles, options, constraints)?;
     progress::tell(progress, 0.0)?;
     let around = prepared.surroundings(options);
-    let (new, mut smoothing) = smooth::sweeps(&prepared, options, &mut |done| progress(SWEEPS * done))?;
+    let (new, mut smoothing) = Threads::with(options.threads, prepared.mesh.positions.len(), |threads| {
+        smooth::sweeps(&prepared, options, threads, &mut |done| progress(SWEEPS * done))
+    })?;
     let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
     let mut outcome = tail::run(&around, new, tail, rest)?;
     smoothing.seconds.tail = outcome.report.seconds;

@@ -20,6 +20,7 @@ mod smooth;
 mod star;
 mod sweep;
 mod tail;
+mod threads;
 
 pub use error::Error;
 pub use improve::{Improvement, collapse_tails, improve};

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::features::Features;
 use crate::mesh::{Coordinate, Mesh, Stars};
 use crate::options::{Constraints, Options};
-use crate::star::Modelling;
+use crate::star::Operation;
 use crate::sweep::Surroundings;
 
 /// The original mesh and what is known of it.
@@ -14,7 +14,7 @@ pub(crate) struct Preparation<'a> {
     pub mesh: Mesh<'a>,
     pub stars: Stars,
     pub features: Features,
-    modelling: Modelling,
+    operation: Operation,
     /// Seconds that validation and stars took.
     pub adjacency: f64,
     /// Seconds that finding features took.
@@ -37,7 +37,7 @@ impl<'a> Preparation<'a> {
         let adjacency = clock.elapsed().as_secs_f64();
         let features = Features::new(&mesh, &stars, options, constraints)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
-        Ok(Self { mesh, stars, features, modelling: Modelling::new(options), adjacency, finding })
+        Ok(Self { mesh, stars, features, operation: Operation::new(options), adjacency, finding })
     }
 
     /// The same, in the form in which visits read it.
@@ -46,7 +46,7 @@ impl<'a> Preparation<'a> {
             mesh: &self.mesh,
             stars: &self.stars,
             features: &self.features,
-            modelling: &self.modelling,
+            operation: &self.operation,
             floor: options.quality_floor,
             keeps_shape: options.feature_angle.is_some(),
             relaxation: options.relaxation,

@@ -7,14 +7,14 @@ use glam::DVec3;
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
-use crate::memory;
 use crate::mesh::{Coordinate, repeats_a_vertex};
 use crate::options::{Constraints, Options};
 use crate::preparation::Preparation;
 use crate::progress::{self, Progress};
 use crate::quality::Measurement;
 use crate::report::{Kept, Report, Seconds};
-use crate::sweep::{self, Outcome, Surroundings, Tally};
+use crate::sweep::{self, Outcome, Outcomes, Surroundings, Tally};
+use crate::threads::Threads;
 
 /// Improves the triangles of a mesh by moving its vertices.
 ///
@@ -34,9 +34,12 @@ pub fn smooth<T: Coordinate>(
     constraints: &Constraints<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
+    options.validate()?;
     let prepared = Preparation::new(positions, triangles, options, constraints)?;
     progress::tell(progress, 0.0)?;
-    let (new, report) = sweeps(&prepared, options, progress)?;
+    let (new, report) = Threads::with(options.threads, prepared.mesh.positions.len(), |threads| {
+        sweeps(&prepared, options, threads, progress)
+    })?;
     progress::tell(progress, 1.0)?;
     let mesh = &prepared.mesh;
     for ((old, &new), stored) in mesh.positions.iter().zip(&new).zip(positions) {
@@ -51,13 +54,13 @@ pub fn smooth<T: Coordinate>(
 pub(crate) fn sweeps(
     prepared: &Preparation<'_>,
     options: &Options,
+    threads: &Threads<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<(Vec<DVec3>, Report), Error> {
     let clock = Instant::now();
     let around = prepared.surroundings(options);
-    let mut new = memory::copied(&prepared.mesh.positions)?;
-    let mut outcomes = memory::filled(Outcome::Unvisited, new.len())?;
-    let tally = sweep::run(&around, &mut new, &mut outcomes, options.iterations, progress)?;
+    let outcomes = Outcomes::new(prepared.mesh.positions.len())?;
+    let (new, tally) = sweep::run(&around, &outcomes, (options.order, options.iterations), threads, progress)?;
     let sweeps = clock.elapsed().as_secs_f64();
 
     let mut report = count(&around, &new, &outcomes, tally);
@@ -70,12 +73,12 @@ pub(crate) fn sweeps(
 }
 
 /// Counts what became of each vertex.
-fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &[Outcome], tally: Tally) -> Report {
+fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: Tally) -> Report {
     let mut kept = Kept::default();
     let mut moved = 0;
-    for (v, &outcome) in outcomes.iter().enumerate() {
-        let reason = match (around.features.role(v as u32), outcome) {
-            _ if new[v] != around.mesh.positions[v] => &mut moved,
+    for (v, &place) in new.iter().enumerate() {
+        let reason = match (around.features.role(v as u32), outcomes.get(v as u32)) {
+            _ if place != around.mesh.positions[v] => &mut moved,
             (Role::Unreferenced, _) => &mut kept.unreferenced,
             (Role::Locked, _) => &mut kept.locked,
             (Role::NonManifold, _) => &mut kept.non_manifold,

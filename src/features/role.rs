@@ -31,6 +31,13 @@ pub(crate) enum Role {
     Corner,
 }
 
+impl Role {
+    /// Whether a vertex of this role may move at all.
+    pub fn moves(self) -> bool {
+        matches!(self, Self::Free | Self::Doubtful | Self::Crease | Self::Rim)
+    }
+}
+
 /// The features of a mesh, and what they make of its vertices.
 pub(crate) struct Features {
     roles: Vec<Role>,

@@ -1,55 +1,62 @@
-//! What the guard knows of each triangle of a star before the move.
+//! What the guard knows of the shapes of a chunk of triangles.
 
-use glam::DVec3;
+use fearless_simd::prelude::*;
 
-use crate::star::{LocalStar, double_vector_area};
+use crate::star::{Numbers, Truths, Vectors, least};
 
-/// One triangle of the star. Shapes and angles are compared by their squares, which saves the square roots.
-pub(super) struct Witness {
-    /// Vector area of the sector that the triangle lies in.
-    pub outward: DVec3,
-    /// Squared mean-ratio shape, negative if the triangle is folded against its sector.
-    pub shape: f64,
-    /// Normal in the original mesh, twice as long as the area; zero where that says nothing.
-    pub normal: DVec3,
-    /// The same, zero also where the original triangle was too thin to define a plane worth keeping.
-    pub plane: DVec3,
+/// Triangles with the apex at the origin. Shapes are compared by their squares, which saves the square roots.
+pub(super) struct Witness<S: Simd> {
+    /// Twice as long as the areas.
+    pub normal: Vectors<S>,
+    /// Twelve times the squares of the normals: the squared mean-ratio shape is this over `bulk`.
+    area: Numbers<S>,
+    /// The squared sum of the squared edges.
+    bulk: Numbers<S>,
 }
 
-impl Witness {
-    /// Whether a triangle with this normal (of any length) has turned from its original by more than an angle below 90°,
-    /// given by its squared cosine.
-    pub fn is_turned(&self, normal: DVec3, squared_cosine: f64) -> bool {
-        let along = self.normal.dot(normal);
-        along < 0.0 || along * along < squared_cosine * self.normal.length_squared() * normal.length_squared()
+impl<S: Simd> Witness<S> {
+    /// The triangles (0, a, b).
+    #[inline(always)]
+    pub fn new(a: Vectors<S>, b: Vectors<S>) -> Self {
+        let normal = a.cross(b);
+        let sum = a.square() + b.square() + b.minus(a).square();
+        Self { normal, area: normal.square() * 12.0, bulk: sum * sum }
     }
 
-    /// Whether a vertex that has gone from its original place by `now` is at most `reach` (squared) from the original
-    /// plane, or at least no farther than it was at `before`.
-    pub fn is_near(&self, before: DVec3, now: DVec3, squared_reach: f64) -> bool {
-        let (before, now) = (self.plane.dot(before), self.plane.dot(now));
-        now * now <= squared_reach * self.plane.length_squared() || now * now <= before * before
+    /// Squared shapes; 0 for a triangle without edges.
+    #[inline(always)]
+    fn squared_shape(&self, simd: S) -> Numbers<S> {
+        self.bulk.simd_gt(0.0).select(self.area / self.bulk, Numbers::splat(simd, 0.0))
     }
-}
 
-/// One witness for each triangle, knowing nothing of the original yet.
-pub(super) fn of_shapes(star: &LocalStar, witnesses: &mut Vec<Witness>) {
-    for sector in star.sectors() {
-        let outward = double_vector_area(sector);
-        witnesses.extend(sector.windows(2).map(|edge| {
-            let shape = signed_squared_shape(edge[0], edge[1], edge[0].cross(edge[1]), outward);
-            Witness { outward, shape, normal: DVec3::ZERO, plane: DVec3::ZERO }
-        }));
+    /// The least squared shape of those that are `present`.
+    #[inline(always)]
+    pub fn least(&self, simd: S, present: Truths<S>) -> f64 {
+        least(present.select(self.squared_shape(simd), Numbers::splat(simd, f64::INFINITY)))
     }
-}
 
-/// Squared mean-ratio shape of the triangle (0, a, b) with a × b = `normal`, negative if it turns against `outward`.
-pub(super) fn signed_squared_shape(a: DVec3, b: DVec3, normal: DVec3, outward: DVec3) -> f64 {
-    let sum = a.length_squared() + b.length_squared() + (b - a).length_squared();
-    if sum == 0.0 {
-        return 0.0;
+    /// Where the shape is above a bound.
+    #[inline(always)]
+    pub fn exceeds(&self, shape: f64) -> Truths<S> {
+        self.area.simd_gt(self.bulk * (shape * shape))
     }
-    // (2√3·|a × b| / sum)²
-    let square = 12.0 * normal.length_squared() / (sum * sum);
-    if normal.dot(outward) < 0.0 { -square } else { square }
+
+    /// Where the squared shape is not below `bar`.
+    #[inline(always)]
+    pub fn reaches(&self, bar: f64) -> Truths<S> {
+        self.area.simd_ge(self.bulk * bar) & (self.bulk.simd_gt(0.0) | self.bulk.simd_ge(bar))
+    }
+
+    /// Where the triangles turn against the directions `outward`.
+    #[inline(always)]
+    pub fn oppose(&self, outward: Vectors<S>) -> Truths<S> {
+        self.normal.dot(outward).simd_lt(0.0)
+    }
+
+    /// Where triangles that oppose are not folded, or not in better shape folded than `before`.
+    #[inline(always)]
+    pub fn unfolds(&self, simd: S, before: &Self, outward: Vectors<S>) -> Truths<S> {
+        let had = before.oppose(outward) & before.squared_shape(simd).simd_ge(self.squared_shape(simd));
+        !self.oppose(outward) | had | self.area.simd_eq(0.0)
+    }
 }

@@ -28,7 +28,7 @@ pub(crate) enum StarKind {
 pub(crate) struct Stars {
     /// Start of each vertex's slots in `slots`; one entry more than vertices.
     offsets: Vec<u32>,
-    /// Per vertex one slot more than it has triangles.
+    /// Per vertex one slot more than it has triangles; that of a closed ring repeats its first vertex.
     slots: Vec<u32>,
     kinds: Vec<StarKind>,
     hubs: BTreeMap<u32, Hub>,
@@ -101,6 +101,17 @@ impl Stars {
     /// The ring of `v`; empty for a star that is neither closed nor open.
     pub fn ring(&self, v: u32) -> &[u32] {
         &self.slots[self.ring_slots(v)]
+    }
+
+    /// The rim of the star of `v`, whose triangles are (v, rim\[i\], rim\[i + 1\]): the ring, and if that closes its first
+    /// vertex again.
+    #[inline(always)]
+    pub fn rim(&self, v: u32) -> &[u32] {
+        let (start, end) = (self.offsets[v as usize] as usize, self.offsets[v as usize + 1] as usize);
+        match self.kind(v) {
+            StarKind::Open | StarKind::Closed => &self.slots[start..end],
+            StarKind::Empty | StarKind::NonManifold => &[],
+        }
     }
 
     /// Where the ring of `v` lies in the array of all slots.
@@ -239,7 +250,10 @@ fn chain(
         let (start, end) = rim[at];
         own[step] = start;
         match starting_at(end) {
-            Some(next) if step == last_step && next == first => return StarKind::Closed,
+            Some(next) if step == last_step && next == first => {
+                own[step + 1] = end;
+                return StarKind::Closed;
+            }
             Some(next) if step < last_step && next != first => at = next,
             None if step == last_step && open_end.is_some() => {
                 own[step + 1] = end;

@@ -14,8 +14,8 @@ pub(crate) struct Mesh<'a> {
     pub triangles: &'a [[u32; 3]],
     /// Power of two by which positions were divided, so that squares and cubes of them stay within range.
     pub unit: f64,
-    /// Rounds a coordinate in units of `unit` to one that the caller's buffer can hold.
-    round: fn(f64, f64) -> f64,
+    /// Whether the caller's buffer holds single precision.
+    single: bool,
 }
 
 impl<'a> Mesh<'a> {
@@ -27,7 +27,7 @@ impl<'a> Mesh<'a> {
         let mut scaled = memory::reserved(positions.len())?;
         // Scaling down takes two steps where the reciprocal itself would be subnormal.
         scaled.extend(positions.iter().map(|p| DVec3::from_array(p.map(|x| x.to_f64() / unit))));
-        Ok(Self { positions: scaled, triangles, unit, round: |x, unit| T::from_f64(x * unit).to_f64() / unit })
+        Ok(Self { positions: scaled, triangles, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
     }
 
     /// Positions of the corners of a triangle.
@@ -36,8 +36,19 @@ impl<'a> Mesh<'a> {
     }
 
     /// The nearest position that the caller's buffers can hold.
+    #[inline(always)]
     pub fn storable(&self, position: DVec3) -> DVec3 {
-        DVec3::from_array(position.to_array().map(|x| (self.round)(x, self.unit)))
+        if self.single {
+            self.rounded::<f32>(position)
+        } else if self.unit == 1.0 {
+            position
+        } else {
+            self.rounded::<f64>(position)
+        }
+    }
+
+    fn rounded<T: Coordinate>(&self, position: DVec3) -> DVec3 {
+        DVec3::from_array(position.to_array().map(|x| T::from_f64(x * self.unit).to_f64() / self.unit))
     }
 
     /// `position` as it is written into the caller's buffer.

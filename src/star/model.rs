@@ -1,90 +1,134 @@
 //! Modelling of better values from the star's own statistics: formulas (1) to (4) of the paper.
 
+use fearless_simd::prelude::*;
+
+use super::lanes::{self, LANES, Numbers};
 use crate::options::Options;
 
-/// Largest star whose logarithms are tabulated.
+/// Largest star whose logarithms are tabulated, and whose ranks are counted one by one.
 const TABLE: usize = 32;
 
 /// Formulas (1) to (4) with their settings.
 pub(crate) struct Model {
-    interval_width: f64,
+    /// 1 / w.
+    per_interval: f64,
     sample_limit: f64,
-    /// Entry \[n\]\[c\] is −2 ln(1 − c / (n + 1)).
-    log_table: Vec<[f64; TABLE + 1]>,
+    /// Entry \[n\]\[c\] is √(−2 ln(1 − c / (n + 1))): F takes no other values.
+    roots: Vec<[f64; TABLE + 1]>,
 }
 
 impl Model {
     pub fn new(options: &Options) -> Self {
-        let row = |n: usize| std::array::from_fn(|c| if c <= n { log_term(c, n) } else { 0.0 });
+        let row = |n: usize| std::array::from_fn(|c| if c <= n { root_term(c, n) } else { 0.0 });
         Self {
-            interval_width: options.interval_width,
+            per_interval: 1.0 / options.interval_width,
             sample_limit: options.sample_limit,
-            log_table: (0..=TABLE).map(row).collect(),
+            roots: (0..=TABLE).map(row).collect(),
         }
     }
 
-    /// Replaces the samples of a star by the modelled values a*.
-    pub fn apply(&self, samples: &mut [f64], intervals: &mut Vec<u32>) {
-        let n = samples.len();
-        for a in samples.iter_mut() {
-            *a = a.min(self.sample_limit);
+    /// Bounds the samples of a star of `n` triangles and returns √D of formula (1).
+    #[inline(always)]
+    pub fn deviation<S: Simd>(&self, simd: S, samples: &mut [[f64; LANES]], n: usize) -> f64 {
+        let (limit, none) = (Numbers::splat(simd, self.sample_limit), Numbers::splat(simd, 0.0));
+        let mut total = none;
+        for (chunk, sample) in samples.iter_mut().enumerate() {
+            let value = Numbers::load_array_ref(simd, sample);
+            let value = value.simd_lt(limit).select(value, limit);
+            value.store_array(sample);
+            total += lanes::below(simd, chunk, n).select(value, none);
         }
-        let deviation = variance(samples);
-        intervals.clear();
-        intervals.extend(samples.iter().map(|&a| self.interval(a)));
-        let own = intervals.len();
-        if own > TABLE {
-            intervals.extend_from_within(..);
-            intervals[own..].sort_unstable();
+        let mean = lanes::sum(total) / n as f64;
+        let mut squares = none;
+        for (chunk, sample) in samples.iter().enumerate() {
+            let off = Numbers::load_array_ref(simd, sample) - mean;
+            squares += lanes::below(simd, chunk, n).select(off * off, none);
         }
-        for (i, a) in samples.iter_mut().enumerate() {
-            let count = count_up_to(intervals, own, intervals[i]);
+        (lanes::sum(squares) / n as f64).sqrt()
+    }
+
+    /// Replaces the samples by the modelled values a*, given √D.
+    #[inline(always)]
+    pub fn apply<S: Simd>(&self, simd: S, samples: &mut [[f64; LANES]], n: usize, deviation: f64) {
+        for (chunk, sample) in samples.iter_mut().enumerate() {
+            // No comparison holds for a lane without a triangle.
+            let nothing = Numbers::splat(simd, f64::NAN);
+            let interval = self.interval(simd, Numbers::load_array_ref(simd, sample));
+            lanes::below(simd, chunk, n).select(interval, nothing).store_array(sample);
+        }
+        if samples.len() == 1 {
+            let intervals = samples[0];
+            samples[0] = self.roots(simd, &[intervals], &intervals, n);
+        } else if n <= TABLE {
+            let mut intervals = [[f64::NAN; LANES]; TABLE / LANES];
+            intervals[..samples.len()].copy_from_slice(samples);
+            for sample in samples.iter_mut() {
+                *sample = self.roots(simd, &intervals, sample, n);
+            }
+        } else {
+            roots_by_sorting(samples, n);
+        }
+        for sample in samples {
             // Formula (4).
-            *a = 1.0 + (deviation * self.log_term(count, n)).sqrt();
+            (Numbers::load_array_ref(simd, sample) * deviation + 1.0).store_array(sample);
         }
     }
 
-    /// Number of the interval (1 + (j − 1)·w, 1 + j·w] that holds `a`; 1 itself lies in the first.
-    fn interval(&self, a: f64) -> u32 {
-        (((a - 1.0) / self.interval_width).ceil() as u32).max(1)
+    /// Number of the interval (1 + (j − 1)·w, 1 + j·w] that holds a sample; 1 itself lies in the first.
+    #[inline(always)]
+    fn interval<S: Simd>(&self, simd: S, value: Numbers<S>) -> Numbers<S> {
+        let one = Numbers::splat(simd, 1.0);
+        let number = ((value - one) * self.per_interval).ceil();
+        number.simd_lt(one).select(one, number)
     }
 
-    fn log_term(&self, count: usize, n: usize) -> f64 {
-        if n <= TABLE { self.log_table[n][count] } else { log_term(count, n) }
+    /// √(−2 ln(1 − F)), F by formula (3), for samples in the intervals `own` out of `all`.
+    #[inline(always)]
+    fn roots<S: Simd>(&self, simd: S, all: &[[f64; LANES]], own: &[f64; LANES], n: usize) -> [f64; LANES] {
+        let (one, none) = (Numbers::splat(simd, 1.0), Numbers::splat(simd, 0.0));
+        let (own, mut count, mut root) = (Numbers::load_array_ref(simd, own), none, none);
+        for interval in all.as_flattened() {
+            count += own.simd_ge(*interval).select(one, none);
+        }
+        for (c, &value) in self.roots[n][1..=LANES * all.len()].iter().enumerate() {
+            root = count.simd_eq((c + 1) as f64).select(Numbers::splat(simd, value), root);
+        }
+        root.to_array()
     }
 }
 
-/// −2 ln(1 − F) for F = c / (n + 1), formula (3). The logarithm is libm's, the same on every machine.
-fn log_term(count: usize, n: usize) -> f64 {
+/// The same for stars of any size: replaces the numbers of intervals.
+#[cold]
+fn roots_by_sorting(samples: &mut [[f64; LANES]], n: usize) {
+    let mut intervals = samples.as_flattened()[..n].to_vec();
+    intervals.sort_unstable_by(f64::total_cmp);
+    for sample in &mut samples.as_flattened_mut()[..n] {
+        *sample = root_term(intervals.partition_point(|interval| interval <= sample), n);
+    }
+}
+
+/// √(−2 ln(1 − F)) for F = c / (n + 1), formula (3). The logarithm is libm's, the same on every machine.
+fn root_term(count: usize, n: usize) -> f64 {
     let all = n as f64 + 1.0;
-    -2.0 * libm::log((all - count as f64) / all)
-}
-
-/// D of formula (1).
-fn variance(samples: &[f64]) -> f64 {
-    let n = samples.len() as f64;
-    let mean = samples.iter().sum::<f64>() / n;
-    samples.iter().map(|a| (a - mean) * (a - mean)).sum::<f64>() / n
-}
-
-/// How many of the first `own` intervals are at most `interval`; where a sorted copy follows them, by bisection in it.
-fn count_up_to(intervals: &[u32], own: usize, interval: u32) -> usize {
-    if intervals.len() > own {
-        intervals[own..].partition_point(|&j| j <= interval)
-    } else {
-        intervals.iter().filter(|&&j| j <= interval).count()
-    }
+    (-2.0 * libm::log((all - count as f64) / all)).sqrt()
 }
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
+
     use super::*;
 
     fn modelled(samples: &[f64], width: f64, limit: f64) -> Vec<f64> {
         let options = Options { interval_width: width, sample_limit: limit, ..Options::default() };
-        let mut values = samples.to_vec();
-        Model::new(&options).apply(&mut values, &mut Vec::new());
-        values
+        let mut values = vec![[0.0; LANES]; samples.len().div_ceil(LANES)];
+        values.as_flattened_mut()[..samples.len()].copy_from_slice(samples);
+        let model = Model::new(&options);
+        dispatch!(Level::new(), simd => {
+            let deviation = model.deviation(simd, &mut values, samples.len());
+            model.apply(simd, &mut values, samples.len(), deviation);
+        });
+        values.as_flattened()[..samples.len()].to_vec()
     }
 
     #[test]

@@ -1,89 +1,146 @@
-//! The operation on a star: where its statistics want the centre.
+//! The operation on a star, step by step: where its statistics want the centre.
+//!
+//! A step waits long for its divisions and roots. So the steps can be called apart, each for many stars that don't depend on
+//! each other, before the next one is: while one star waits, the machine works on the others.
 
-use glam::{DVec2, DVec3};
+use fearless_simd::prelude::*;
+use glam::DVec3;
 
-use super::local::{LocalStar, double_vector_area};
+use super::lanes::{LANES, Numbers, Vectors};
+use super::local::{Chunk, LocalStar};
 use super::model::Model;
-use super::plane::TangentPlane;
-use super::potential;
+use super::plane::{self, TangentPlane};
+use super::potential::{Flat, Points};
 use crate::options::{Ideal, Options, Plane};
 
-/// The settings of the operation.
-pub(crate) struct Modelling {
+/// The operation with its settings.
+pub(crate) struct Operation {
     model: Model,
     ideal: Ideal,
     plane: Plane,
 }
 
-impl Modelling {
+/// What the steps leave to each other. Reused from star to star.
+#[derive(Default)]
+pub(crate) struct Draft {
+    /// Twice the vector areas of the two sectors; the second one is zero where there is none.
+    pub areas: [DVec3; 2],
+    /// The planes of the two sectors.
+    planes: [TangentPlane; 2],
+    /// The projected triangles, eight to an entry, as many entries as the largest star so far has had.
+    flats: Vec<Flat>,
+    /// Their sampled values a, then their modelled values a*.
+    values: Vec<[f64; LANES]>,
+    /// √D of formula (1).
+    deviation: f64,
+}
+
+impl Operation {
     pub fn new(options: &Options) -> Self {
         Self { model: Model::new(options), ideal: options.ideal, plane: options.plane }
     }
+
+    /// All steps: from the centre to the mean of the potential centers, each in its sector's own plane; `None` for a star
+    /// that has no plane.
+    #[inline(always)]
+    pub fn target<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) -> Option<DVec3> {
+        if !self.find_planes(simd, star, draft) {
+            return None;
+        }
+        self.sample(simd, star, draft);
+        self.model(simd, star, draft);
+        Some(self.mean_center(simd, star, draft))
+    }
+
+    /// First step: the tangent planes. False if the star has none.
+    #[inline(always)]
+    pub fn find_planes<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) -> bool {
+        draft.areas = areas(simd, star);
+        let Draft { planes: [first, second], areas, .. } = draft;
+        self.find_plane(star, 0, star.split, areas[0], first)
+            && (!star.is_crease() || self.find_plane(star, star.split, star.valence(), areas[1], second))
+    }
+
+    /// Plane of the sector between two rim vertices.
+    #[inline(always)]
+    fn find_plane(&self, star: &LocalStar, first: usize, last: usize, area: DVec3, plane: &mut TangentPlane) -> bool {
+        match self.plane {
+            Plane::VectorArea => plane.turn(area),
+            Plane::LeastSquares => plane.turn(plane::least_squares((first..=last).map(|i| star.point(i)), area)),
+        }
+    }
+
+    /// Second step: projects the triangles and takes the statistics of their edge ratios, formula (1).
+    #[inline(always)]
+    pub fn sample<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
+        let chunks = star.chunks();
+        if draft.flats.len() < chunks {
+            draft.flats.resize(chunks, Flat::default());
+            draft.values.resize(chunks, [0.0; LANES]);
+        }
+        for chunk in 0..chunks {
+            let [a, b] = project(simd, star, &draft.planes, star.chunk(simd, chunk));
+            draft.flats[chunk].take(simd, a, b).store_array(&mut draft.values[chunk]);
+        }
+        draft.deviation = self.model.deviation(simd, &mut draft.values[..chunks], star.valence());
+    }
+
+    /// Third step: models better values, formulas (2) to (4).
+    #[inline(always)]
+    pub fn model<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
+        let values = &mut draft.values[..star.chunks()];
+        match self.ideal {
+            Ideal::Modelled => self.model.apply(simd, values, star.valence(), draft.deviation),
+            Ideal::Equilateral => values.fill([1.0; LANES]),
+        }
+    }
+
+    /// Last step: the mean of the potential centers.
+    #[inline(always)]
+    pub fn mean_center<S: Simd>(&self, simd: S, star: &LocalStar, draft: &Draft) -> DVec3 {
+        let (mut first, mut second) = (Points::zero(simd), Points::zero(simd));
+        for chunk in 0..star.chunks() {
+            let Chunk { present, second: is_second, .. } = star.chunk(simd, chunk);
+            let ideal = Numbers::load_array_ref(simd, &draft.values[chunk]);
+            let center = draft.flats[chunk].center(simd, ideal).only(simd, present);
+            if star.is_crease() {
+                first = first.plus(center.only(simd, !is_second));
+                second = second.plus(center.only(simd, is_second));
+            } else {
+                first = first.plus(center);
+            }
+        }
+        let sum = draft.planes[0].lift(first.sum());
+        let sum = if star.is_crease() { sum + draft.planes[1].lift(second.sum()) } else { sum };
+        sum * (1.0 / star.valence() as f64)
+    }
 }
 
-/// The operation with its working memory, reused from star to star.
-pub(crate) struct Operation<'a> {
-    modelling: &'a Modelling,
-    planes: Vec<TangentPlane>,
-    flat: Vec<DVec2>,
-    values: Vec<f64>,
-    intervals: Vec<u32>,
+/// Twice the vector areas of the two sectors.
+#[inline(always)]
+fn areas<S: Simd>(simd: S, star: &LocalStar) -> [DVec3; 2] {
+    let none = Vectors::splat(simd, DVec3::ZERO);
+    let (mut first, mut second) = (none, none);
+    for chunk in 0..star.chunks() {
+        let Chunk { a, b, second: is_second, .. } = star.chunk(simd, chunk);
+        let cross = a.cross(b);
+        if star.is_crease() {
+            first = first.plus(none.or(is_second, cross));
+            second = second.plus(cross.or(is_second, none));
+        } else {
+            first = first.plus(cross);
+        }
+    }
+    [first.sum(), if star.is_crease() { second.sum() } else { DVec3::ZERO }]
 }
 
-impl<'a> Operation<'a> {
-    pub fn new(modelling: &'a Modelling) -> Self {
-        Self { modelling, planes: Vec::new(), flat: Vec::new(), values: Vec::new(), intervals: Vec::new() }
+/// Starts and ends of the rim edges of a chunk, each projected into the plane of its sector.
+#[inline(always)]
+fn project<S: Simd>(simd: S, star: &LocalStar, planes: &[TangentPlane; 2], chunk: Chunk<S>) -> [Points<S>; 2] {
+    let [mut u, mut w] = planes[0].lanes(simd);
+    if star.is_crease() {
+        let [second_u, second_w] = planes[1].lanes(simd);
+        (u, w) = (second_u.or(chunk.second, u), second_w.or(chunk.second, w));
     }
-
-    /// From the centre to the mean of the potential centers, each in its sector's own plane; `None` for a star that has
-    /// no plane.
-    pub fn target(&mut self, star: &LocalStar) -> Option<DVec3> {
-        self.flatten(star)?;
-        self.sample(star);
-        match self.modelling.ideal {
-            Ideal::Modelled => self.modelling.model.apply(&mut self.values, &mut self.intervals),
-            Ideal::Equilateral => self.values.fill(1.0),
-        }
-        Some(self.mean_center(star))
-    }
-
-    /// Projects each sector into its plane. Sectors lie one behind the other in `flat`.
-    fn flatten(&mut self, star: &LocalStar) -> Option<()> {
-        self.planes.clear();
-        self.flat.clear();
-        for sector in star.sectors() {
-            let area = double_vector_area(sector);
-            let plane = match self.modelling.plane {
-                Plane::VectorArea => TangentPlane::orthogonal_to(area)?,
-                Plane::LeastSquares => TangentPlane::least_squares(sector, area)?,
-            };
-            self.flat.extend(sector.iter().map(|&p| plane.project(p)));
-            self.planes.push(plane);
-        }
-        Some(())
-    }
-
-    /// Formula (1)'s sample: the edge ratios of the projected triangles.
-    fn sample(&mut self, star: &LocalStar) {
-        self.values.clear();
-        let mut rest = &self.flat[..];
-        for sector in star.sectors() {
-            let (own, others) = rest.split_at(sector.len());
-            self.values.extend(own.windows(2).map(|e| potential::edge_ratio(e[0], e[1])));
-            rest = others;
-        }
-    }
-
-    fn mean_center(&self, star: &LocalStar) -> DVec3 {
-        let mut sum = DVec3::ZERO;
-        let (mut flat, mut values) = (&self.flat[..], &self.values[..]);
-        for (sector, plane) in star.sectors().zip(&self.planes) {
-            let (own, others) = flat.split_at(sector.len());
-            let (ideal, remaining) = values.split_at(sector.len() - 1);
-            let centers = own.windows(2).zip(ideal).map(|(e, &ideal)| potential::center(e[0], e[1], ideal));
-            sum += plane.lift(centers.sum());
-            (flat, values) = (others, remaining);
-        }
-        sum / star.valence() as f64
-    }
+    [Points { x: chunk.a.dot(u), y: chunk.a.dot(w) }, Points { x: chunk.b.dot(u), y: chunk.b.dot(w) }]
 }

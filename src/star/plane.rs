@@ -1,10 +1,13 @@
 //! Tangent planes: where a star is flattened.
 
+use fearless_simd::prelude::*;
 use glam::{DMat3, DVec2, DVec3};
+
+use super::lanes::Vectors;
 
 /// A plane through the centre of a star, as two orthonormal directions; seen against the normal, the first turns
 /// counter-clockwise into the second.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct TangentPlane {
     u: DVec3,
     w: DVec3,
@@ -13,30 +16,28 @@ pub(crate) struct TangentPlane {
 impl TangentPlane {
     /// Orthogonal to `normal`, which need not be of unit length; `None` if it has no direction.
     pub fn orthogonal_to(normal: DVec3) -> Option<Self> {
-        let n = normal.try_normalize()?;
-        // The axis that is farthest from the normal gives the best-conditioned direction.
-        let size = n.abs();
-        let axis = if size.x <= size.y && size.x <= size.z {
-            DVec3::X
-        } else if size.y <= size.z {
-            DVec3::Y
-        } else {
-            DVec3::Z
-        };
-        let u = axis.cross(n).try_normalize()?;
-        Some(Self { u, w: n.cross(u) })
+        let mut plane = Self::default();
+        plane.turn(normal).then_some(plane)
     }
 
-    /// Least-squares plane of the centre and the rim (Hoppe et al., SIGGRAPH 1992), turned to the side of `outward`.
-    pub fn least_squares(rim: &[DVec3], outward: DVec3) -> Option<Self> {
-        let count = rim.len() as f64 + 1.0;
-        let mean = rim.iter().sum::<DVec3>() / count;
-        let mut covariance = outer(mean);
-        for &p in rim {
-            covariance += outer(p - mean);
-        }
-        let normal = least_eigenvector(covariance);
-        Self::orthogonal_to(if normal.dot(outward) < 0.0 { -normal } else { normal })
+    /// Turns it orthogonal to `normal`; false if that has no direction.
+    #[inline(always)]
+    pub fn turn(&mut self, normal: DVec3) -> bool {
+        let inverse = 1.0 / normal.length();
+        let n = normal * inverse;
+        // Needs no root and no choice of an axis: T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
+        let sign = 1.0_f64.copysign(n.z);
+        let a = -1.0 / (sign + n.z);
+        let b = n.x * n.y * a;
+        self.u = DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+        self.w = DVec3::new(b, sign + n.y * n.y * a, -n.y);
+        inverse > 0.0 && inverse < f64::INFINITY
+    }
+
+    /// Its two directions in every lane.
+    #[inline(always)]
+    pub fn lanes<S: Simd>(&self, simd: S) -> [Vectors<S>; 2] {
+        [Vectors::splat(simd, self.u), Vectors::splat(simd, self.w)]
     }
 
     /// Coordinates of a point in the plane.
@@ -45,9 +46,23 @@ impl TangentPlane {
     }
 
     /// The point of the plane with these coordinates.
+    #[inline(always)]
     pub fn lift(&self, p: DVec2) -> DVec3 {
         self.u * p.x + self.w * p.y
     }
+}
+
+/// Normal of the least-squares plane of the centre and the rim (Hoppe et al., SIGGRAPH 1992), turned to the side of
+/// `outward`.
+pub(super) fn least_squares(rim: impl Iterator<Item = DVec3> + Clone, outward: DVec3) -> DVec3 {
+    let count = rim.clone().count() as f64 + 1.0;
+    let mean = rim.clone().sum::<DVec3>() / count;
+    let mut covariance = outer(mean);
+    for p in rim {
+        covariance += outer(p - mean);
+    }
+    let normal = least_eigenvector(covariance);
+    if normal.dot(outward) < 0.0 { -normal } else { normal }
 }
 
 fn outer(p: DVec3) -> DMat3 {

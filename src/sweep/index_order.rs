@@ -1,29 +1,34 @@
 //! The paper's GEA: stars by vertex index, in place, so that each sees its neighbours' new positions.
 
-use glam::DVec3;
+use fearless_simd::{Level, dispatch};
 
-use super::visit::{Outcome, Surroundings, Tally, Visitor};
+use super::outcome::Outcomes;
+use super::places::Places;
+use super::visit::{Surroundings, Tally, Visitor};
 use crate::error::Error;
 use crate::progress::{self, Progress};
 
 /// Sweeps `iterations` times over all vertices. `tell` hears the share of the sweeps that is done.
-pub(crate) fn run(
+pub(super) fn run(
     surroundings: &Surroundings<'_>,
-    positions: &mut [DVec3],
-    outcomes: &mut [Outcome],
+    places: &Places,
+    outcomes: &Outcomes,
     iterations: u32,
     tell: &mut Progress<'_>,
 ) -> Result<Tally, Error> {
     let mut visitor = Visitor::new(surroundings);
-    let total = f64::from(iterations) * positions.len() as f64;
+    let (level, movable) = (Level::new(), surroundings.movable()?);
+    let total = f64::from(iterations) * movable.len() as f64;
     let mut visited = 0_usize;
     for _ in 0..iterations {
-        for v in 0..positions.len() as u32 {
-            if visited.is_multiple_of(progress::INTERVAL) {
-                progress::tell(tell, visited as f64 / total)?;
-            }
-            visited += 1;
-            visitor.visit(positions, outcomes, v);
+        for vertices in movable.chunks(progress::INTERVAL) {
+            progress::tell(tell, visited as f64 / total)?;
+            visited += vertices.len();
+            dispatch!(level, simd => {
+                for v in vertices {
+                    visitor.visit(simd, std::slice::from_ref(v), places, outcomes);
+                }
+            });
         }
     }
     Ok(visitor.tally)

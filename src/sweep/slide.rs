@@ -27,16 +27,13 @@ pub(super) fn along(star: &LocalStar, target: DVec3) -> Option<DVec3> {
 pub(crate) fn direction(star: &LocalStar) -> Option<DVec3> {
     let [next, previous] = neighbours(star);
     let tangent = parabola_tangent(next, previous);
-    if is_crease(star) { neutral_direction(star, tangent) } else { tangent }.try_normalize()
+    if star.is_crease() { neutral_direction(star, tangent) } else { tangent }.try_normalize()
 }
 
 /// The next and the previous vertex of the feature line.
 fn neighbours(star: &LocalStar) -> [DVec3; 2] {
-    [star.rim[0], star.rim[if is_crease(star) { star.split } else { star.rim.len() - 1 }]]
-}
-
-fn is_crease(star: &LocalStar) -> bool {
-    star.split + 1 < star.rim.len()
+    // Without a crease the only sector ends with the rim.
+    [star.point(0), star.point(star.split)]
 }
 
 /// Tangent at the origin of the parabola through `previous`, the origin, and `next`.
@@ -59,8 +56,8 @@ fn neutral_direction(star: &LocalStar, tangent: DVec3) -> DVec3 {
     if square > 0.0 { tangent - area * (area.dot(tangent) / square) } else { tangent }
 }
 
-fn is_flat(sector: &[DVec3]) -> bool {
-    let normal = double_vector_area(sector).normalize_or_zero();
+fn is_flat(sector: impl Iterator<Item = DVec3> + Clone) -> bool {
+    let normal = double_vector_area(sector.clone()).normalize_or_zero();
     let leans = |n: DVec3| n.cross(normal).length() > FLAT * n.length();
-    !sector.windows(2).any(|edge| leans(edge[0].cross(edge[1])))
+    !sector.clone().zip(sector.skip(1)).any(|(a, b)| leans(a.cross(b)))
 }

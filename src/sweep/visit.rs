@@ -1,13 +1,20 @@
 //! One visit: the operation on a star, and as much of its move as the guard admits.
 
+use std::iter::Sum;
+
+use fearless_simd::prelude::*;
 use glam::DVec3;
 
+use super::outcome::{Outcome, Outcomes};
+use super::places::Places;
 use super::slide;
 use crate::deviation::Surface;
+use crate::error::Error;
 use crate::features::{Features, Role};
-use crate::guard::{Guard, Leash};
+use crate::guard::{Guard, Leash, Scene};
+use crate::memory;
 use crate::mesh::{Mesh, Stars};
-use crate::star::{LocalStar, Modelling, Operation, double_vector_area};
+use crate::star::{Draft, LocalStar, Operation};
 
 /// How often a step is halved before the vertex stays.
 const HALVINGS: u32 = 3;
@@ -21,19 +28,6 @@ const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
 /// Bounds for a vertex that may be a corner after all.
 const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.2 };
 
-/// What became of a vertex at its last visit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Outcome {
-    /// Never visited, or its role keeps it where it is.
-    Unvisited,
-    Moved,
-    /// Already at its target.
-    Settled,
-    Degenerate,
-    Guard,
-    Deviation,
-}
-
 /// Visits whose step was shortened or refused.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Tally {
@@ -41,12 +35,28 @@ pub(crate) struct Tally {
     pub refused: usize,
 }
 
+impl Sum for Tally {
+    fn sum<I: Iterator<Item = Self>>(tallies: I) -> Self {
+        tallies.fold(Self::default(), |mut sum, tally| {
+            sum += tally;
+            sum
+        })
+    }
+}
+
+impl std::ops::AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.halved += other.halved;
+        self.refused += other.refused;
+    }
+}
+
 /// All that a visit reads and never changes.
 pub(crate) struct Surroundings<'a> {
     pub mesh: &'a Mesh<'a>,
     pub stars: &'a Stars,
     pub features: &'a Features,
-    pub modelling: &'a Modelling,
+    pub operation: &'a Operation,
     /// Mean-ratio shape below which no star's worst triangle may fall.
     pub floor: f64,
     /// Whether the shape of the surface is to be kept beyond what marked edges say.
@@ -57,6 +67,15 @@ pub(crate) struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
+    /// The vertices whose role lets them move, by index.
+    pub fn movable(&self) -> Result<Vec<u32>, Error> {
+        let moves = |&v: &u32| self.features.role(v).moves();
+        let all = 0..self.stars.len() as u32;
+        let mut movable = memory::reserved(all.clone().filter(moves).count())?;
+        movable.extend(all.filter(moves));
+        Ok(movable)
+    }
+
     /// How far a sweep may take a vertex from where it was in the original mesh.
     fn leash(&self, v: u32) -> Leash {
         if self.keeps_shape { self.close_leash(v) } else { Leash::NONE }
@@ -72,97 +91,135 @@ impl Surroundings<'_> {
     }
 }
 
+/// Stars that are visited together: enough to hide how long each one waits, few enough for the nearest cache.
+pub(super) const TOGETHER: usize = 16;
+
 /// Visits stars, with working memory that is reused from one to the next.
 pub(crate) struct Visitor<'a> {
     around: &'a Surroundings<'a>,
-    operation: Operation<'a>,
-    star: LocalStar,
-    guard: Guard,
+    visits: Vec<Visit>,
     pub tally: Tally,
+}
+
+/// A visit under way.
+struct Visit {
+    vertex: u32,
+    star: LocalStar,
+    draft: Draft,
+    guard: Guard,
+    has_plane: bool,
+    /// What the star wants; `None` if it has no plane, or no direction to go.
+    step: Option<DVec3>,
 }
 
 impl<'a> Visitor<'a> {
     pub fn new(around: &'a Surroundings<'a>) -> Self {
-        Self {
-            around,
-            operation: Operation::new(around.modelling),
-            star: LocalStar::default(),
-            guard: Guard::new(around.floor),
-            tally: Tally::default(),
-        }
+        let visits = (0..TOGETHER).map(|_| Visit::new(around.floor)).collect();
+        Self { around, visits, tally: Tally::default() }
     }
 
-    /// Visits vertex `v` and notes the outcome.
-    pub fn visit(&mut self, positions: &mut [DVec3], outcomes: &mut [Outcome], v: u32) {
-        let Some(step) = self.wanted_step(positions, v) else {
-            return;
-        };
-        outcomes[v as usize] = match step {
-            Wanted::Nothing => Outcome::Degenerate,
-            Wanted::Step(step) => self.try_step(positions, v, step),
-        };
-    }
-
-    /// Where the star wants its centre to go; `None` for a vertex whose role keeps it.
-    fn wanted_step(&mut self, positions: &[DVec3], v: u32) -> Option<Wanted> {
-        let Surroundings { stars, features, relaxation, .. } = *self.around;
-        let role = features.role(v);
-        match role {
-            Role::Free | Role::Doubtful | Role::Rim => self.star.take(stars, positions, v),
-            Role::Crease => self.star.take_crease(stars, positions, v, features.crease_ends(stars, v)),
-            _ => return None,
-        }
-        let step = self.operation.target(&self.star).and_then(|target| {
-            let target = target * relaxation;
-            match role {
-                Role::Free | Role::Doubtful => volume_neutral(target, double_vector_area(&self.star.rim)),
-                _ => slide::along(&self.star, target),
+    /// Visits `vertices`, no two of which are neighbours and all of which have a role that lets them move, and notes the
+    /// outcomes.
+    #[inline(always)]
+    pub fn visit<S: Simd>(&mut self, simd: S, vertices: &[u32], places: &Places, outcomes: &Outcomes) {
+        let Self { around, visits, tally } = self;
+        for together in vertices.chunks(TOGETHER) {
+            let visits = &mut visits[..together.len()];
+            for (visit, &v) in visits.iter_mut().zip(together) {
+                visit.take(simd, around, places, v);
             }
-        });
-        Some(step.map_or(Wanted::Nothing, Wanted::Step))
+            for visit in visits.iter_mut() {
+                visit.has_plane = around.operation.find_planes(simd, &visit.star, &mut visit.draft);
+            }
+            for visit in visits.iter_mut().filter(|visit| visit.has_plane) {
+                around.operation.sample(simd, &visit.star, &mut visit.draft);
+            }
+            for visit in visits.iter_mut().filter(|visit| visit.has_plane) {
+                around.operation.model(simd, &visit.star, &mut visit.draft);
+            }
+            for visit in visits.iter_mut() {
+                visit.step = if visit.has_plane { visit.wish(simd, around) } else { None };
+            }
+            for visit in visits.iter_mut() {
+                visit.inspect(simd, around);
+            }
+            for visit in visits {
+                outcomes.set(visit.vertex, visit.end(simd, around, tally, places));
+            }
+        }
+    }
+}
+
+impl Visit {
+    fn new(floor: f64) -> Self {
+        let (star, draft) = (LocalStar::default(), Draft::default());
+        Self { vertex: 0, star, draft, guard: Guard::new(floor), has_plane: false, step: None }
     }
 
-    /// Halves the step until guard and deviation bound agree.
-    fn try_step(&mut self, positions: &mut [DVec3], v: u32, mut step: DVec3) -> Outcome {
-        let Surroundings { mesh, stars, .. } = *self.around;
-        self.guard.inspect(mesh, stars, v, &self.star, self.around.leash(v));
+    /// Takes up the star of `v`.
+    #[inline(always)]
+    fn take<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>, places: &Places, v: u32) {
+        let Surroundings { stars, features, .. } = *around;
+        let at = |r: u32| places.get(r);
+        self.vertex = v;
+        match features.role(v) {
+            Role::Crease => self.star.take_crease(simd, stars, at, v, features.crease_ends(stars, v)),
+            _ => self.star.take(simd, stars, at, v),
+        }
+    }
+
+    /// The step that the star wants.
+    #[inline(always)]
+    fn wish<S: Simd>(&self, simd: S, around: &Surroundings<'_>) -> Option<DVec3> {
+        let step = around.operation.mean_center(simd, &self.star, &self.draft) * around.relaxation;
+        match around.features.role(self.vertex) {
+            Role::Free | Role::Doubtful => volume_neutral(step, self.draft.areas[0]),
+            _ => slide::along(&self.star, step),
+        }
+    }
+
+    /// Looks at the star as it was in the original mesh.
+    #[inline(always)]
+    fn inspect<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>) {
+        let Self { vertex, star, draft, guard, .. } = self;
+        let Surroundings { mesh, stars, .. } = *around;
+        let scene = &Scene { mesh, stars, star, vertex: *vertex, areas: draft.areas };
+        guard.inspect(simd, scene, around.leash(*vertex));
+    }
+
+    /// Carries out as much of the step as guard and deviation bound admit: all, half of it, a quarter, an eighth.
+    #[inline(always)]
+    fn end<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>, tally: &mut Tally, places: &Places) -> Outcome {
+        let Some(mut step) = self.step else {
+            return Outcome::Degenerate;
+        };
+        let Self { vertex, ref star, ref draft, ref mut guard, .. } = *self;
+        let Surroundings { mesh, stars, max_deviation, .. } = *around;
+        let scene = &Scene { mesh, stars, star, vertex, areas: draft.areas };
         let mut refusal = Outcome::Guard;
         for halving in 0..=HALVINGS {
-            let new = mesh.storable(self.star.centre + step);
-            if new == self.star.centre {
+            let new = mesh.storable(star.centre + step);
+            if new == star.centre {
                 return Outcome::Settled;
             }
-            refusal = self.refusal(v, new);
-            if refusal == Outcome::Moved {
-                positions[v as usize] = new;
-                self.tally.halved += usize::from(halving > 0);
+            if !guard.admits(simd, scene, new - star.centre) {
+                refusal = Outcome::Guard;
+            } else if max_deviation.is_some_and(|bound| Surface::new(mesh, stars).distance(vertex, new) > bound) {
+                refusal = Outcome::Deviation;
+            } else {
+                places.set(vertex, new);
+                tally.halved += usize::from(halving > 0);
                 return Outcome::Moved;
             }
             step *= 0.5;
         }
-        self.tally.refused += 1;
+        tally.refused += 1;
         refusal
     }
-
-    /// `Moved` if the vertex may go to `new`, else what speaks against it.
-    fn refusal(&self, v: u32, new: DVec3) -> Outcome {
-        let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
-        if !self.guard.admits(&self.star, new - self.star.centre) {
-            return Outcome::Guard;
-        }
-        match max_deviation {
-            Some(bound) if Surface::new(mesh, stars).distance(v, new) > bound => Outcome::Deviation,
-            _ => Outcome::Moved,
-        }
-    }
-}
-
-enum Wanted {
-    Nothing,
-    Step(DVec3),
 }
 
 /// The part of `step` orthogonal to the ring's vector area, which leaves the volume as it is.
+#[inline(always)]
 pub(crate) fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
     let square = area.length_squared();
     (square > 0.0).then(|| step - area * (area.dot(step) / square))

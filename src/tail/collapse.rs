@@ -29,7 +29,7 @@ pub(super) fn fill(shape: &Shape, rim: &[usize], inner: Option<(usize, DVec3)>) 
     let origin = shape.positions[rim[0]];
     let places = rim.iter().map(|&v| shape.positions[v]).chain(inner.map(|(_, place)| place));
     let relative: Vec<_> = places.map(|p| p - origin).collect();
-    let plane = TangentPlane::orthogonal_to(double_vector_area(&relative[..rim.len()]))?;
+    let plane = TangentPlane::orthogonal_to(double_vector_area(relative[..rim.len()].iter().copied()))?;
     let points: Vec<_> = relative.iter().map(|&p| plane.project(p)).collect();
     let triangles = retriangulate(&points, rim.len())?;
     let vertex = |i: usize| rim.get(i).copied().or(inner.map(|(v, _)| v)).unwrap_or(rim[0]);

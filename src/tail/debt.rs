@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::patch::{Freedom, Patch, Shape};
 use super::relax::Relaxer;
-use crate::star::double_vector_area;
 
 /// Six times the volume of the cone from `origin` over a shape.
 fn sextuple_volume(shape: &Shape, origin: DVec3) -> f64 {
@@ -26,7 +25,7 @@ pub(super) fn pay(relaxer: &mut Relaxer<'_>, patch: &Patch, shape: &mut Shape, p
         if !relaxer.take(patch, shape, v) {
             continue;
         }
-        let area = double_vector_area(&relaxer.star().rim);
+        let area = relaxer.star().double_area();
         let step = area * (-debt / area.length_squared());
         let (worst, length) = (relaxer.worst(step, f64::INFINITY).max(1.0), step.length());
         let is_better = best.is_none_or(|(w, l, ..)| (worst, length) < (w, l));

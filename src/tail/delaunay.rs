@@ -160,7 +160,7 @@ fn wants_flip(quad: [DVec3; 4]) -> bool {
     const MARGIN: f64 = 1e-3;
     let relative = quad.map(|p| p - quad[0]);
     let closed = [relative[0], relative[1], relative[2], relative[3], relative[0]];
-    let Some(plane) = TangentPlane::orthogonal_to(double_vector_area(&closed)) else {
+    let Some(plane) = TangentPlane::orthogonal_to(double_vector_area(closed.into_iter())) else {
         return false;
     };
     let [p, s, q, r] = relative.map(|x| plane.project(x));

@@ -1,12 +1,13 @@
 //! Vertex moves that help the worst triangle of a star: volume-neutral, guarded, and no larger than needed.
 
+use fearless_simd::{Level, dispatch};
 use glam::{DVec2, DVec3};
 
 use super::limits::Limits;
 use super::patch::{Freedom, Patch, Shape};
 use crate::deviation::Surface;
-use crate::guard::Guard;
-use crate::star::{LocalStar, Operation, TangentPlane, double_vector_area};
+use crate::guard::{Guard, Scene};
+use crate::star::{Draft, LocalStar, TangentPlane};
 use crate::sweep::{Surroundings, direction, volume_neutral};
 
 /// Excess at which a star is good enough: just below the thresholds, so that rounding cannot bring it back.
@@ -43,8 +44,8 @@ const DIRECTIONS: [DVec2; 8] = {
 pub(super) struct Relaxer<'a> {
     around: &'a Surroundings<'a>,
     limits: &'a Limits,
-    operation: Operation<'a>,
     star: LocalStar,
+    draft: Draft,
     guard: Guard,
     /// Whether the guard has seen the star as it was taken up.
     inspected: bool,
@@ -57,8 +58,8 @@ impl<'a> Relaxer<'a> {
         Self {
             around,
             limits,
-            operation: Operation::new(around.modelling),
             star: LocalStar::default(),
+            draft: Draft::default(),
             guard: Guard::new(around.floor),
             inspected: false,
             culprit: 0,
@@ -112,7 +113,7 @@ impl<'a> Relaxer<'a> {
         if freedom == Freedom::Slide {
             return direction(&self.star).map(|d| vec![d, -d]);
         }
-        let plane = TangentPlane::orthogonal_to(double_vector_area(&self.star.rim))?;
+        let plane = TangentPlane::orthogonal_to(self.star.double_area())?;
         Some(DIRECTIONS.iter().map(|&d| plane.lift(d)).collect())
     }
 
@@ -121,13 +122,14 @@ impl<'a> Relaxer<'a> {
         if freedom == Freedom::Slide {
             return None;
         }
-        let target = self.operation.target(&self.star)?;
-        volume_neutral(target, double_vector_area(&self.star.rim))
+        let operation = self.around.operation;
+        let step = dispatch!(Level::new(), simd => operation.target(simd, &self.star, &mut self.draft))?;
+        volume_neutral(step, self.draft.areas[0])
     }
 
     /// Pattern search: the best of the ways, with a step that is halved where none helps.
     fn descend(&mut self, search: &mut Search, ways: &[DVec3], vertex: u32) {
-        let lengths: f64 = self.star.rim.iter().skip(1).map(|p| p.length()).sum();
+        let lengths: f64 = self.star.rim().skip(1).map(DVec3::length).sum();
         let mut reach = REACH * lengths / self.star.valence() as f64;
         let mut halvings = 0;
         for _ in 0..STEPS {
@@ -200,7 +202,8 @@ impl<'a> Relaxer<'a> {
             split = Some(second - first);
         }
         let numbered = |&r: &usize| (patch.vertices[r], shape.positions[r]);
-        self.star.take_ring(shape.positions[v], ring.iter().map(numbered), split);
+        let numbered: Vec<_> = ring.iter().map(numbered).collect();
+        self.star.take_ring(shape.positions[v], &numbered, split);
         (self.inspected, self.culprit) = (false, 0);
         true
     }
@@ -208,11 +211,13 @@ impl<'a> Relaxer<'a> {
     /// Whether guard and deviation bound let the centre of the star that was taken up, `vertex` in the mesh, go by `step`.
     pub fn admits(&mut self, vertex: u32, step: DVec3) -> bool {
         let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
+        let scene = &Scene { mesh, stars, star: &self.star, vertex, areas: self.star.double_areas() };
         if !std::mem::replace(&mut self.inspected, true) {
-            self.guard.inspect(mesh, stars, vertex, &self.star, self.around.close_leash(vertex));
+            let leash = self.around.close_leash(vertex);
+            dispatch!(Level::new(), simd => self.guard.inspect(simd, scene, leash));
         }
         let is_near = |bound| Surface::new(mesh, stars).distance(vertex, self.star.centre + step) <= bound;
-        self.guard.admits(&self.star, step) && max_deviation.is_none_or(is_near)
+        dispatch!(Level::new(), simd => self.guard.admits(simd, scene, step)) && max_deviation.is_none_or(is_near)
     }
 
     /// The nearest position that the caller's buffers can hold.
@@ -231,7 +236,7 @@ impl<'a> Relaxer<'a> {
         let mut worst = 0.0_f64;
         for i in 0..valence {
             let at = (self.culprit + i) % valence;
-            worst = worst.max(self.limits.excess([step, self.star.rim[at], self.star.rim[at + 1]]));
+            worst = worst.max(self.limits.excess([step, self.star.point(at), self.star.point(at + 1)]));
             if worst >= bound {
                 self.culprit = at;
                 break;

@@ -1,0 +1,68 @@
+//! The threads of one call: a pool of its own, gone when the call returns, never the host's.
+
+use std::iter::Sum;
+use std::ops::Range;
+use std::thread::available_parallelism;
+
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// Vertices for which another thread is worth its start.
+const WORTH_A_THREAD: usize = 20_000;
+
+/// One thread or several.
+pub(crate) struct Threads<'a>(Option<&'a ThreadPool>);
+
+impl Threads<'_> {
+    /// Calls `work` with as many threads as are wanted, 0 meaning all that the machine runs at once, and worth it for a
+    /// mesh of `vertex_count` vertices. Where they cannot be had, the calling thread works alone.
+    pub fn with<T>(wanted: u32, vertex_count: usize, work: impl FnOnce(&Threads<'_>) -> T) -> T {
+        let all = || available_parallelism().map_or(1, usize::from);
+        let wanted = if wanted == 0 { all() } else { wanted as usize };
+        let count = wanted.min(vertex_count / WORTH_A_THREAD);
+        if count <= 1 {
+            return work(&Threads(None));
+        }
+        let mut waiting = Some(work);
+        let builder = ThreadPoolBuilder::new().num_threads(count).thread_name(|i| format!("qsmesh {i}"));
+        let done =
+            builder.build_scoped(|thread| thread.run(), |pool| waiting.take().map(|work| work(&Threads(Some(pool)))));
+        match (done, waiting) {
+            (Ok(Some(result)), _) => result,
+            (_, Some(work)) => work(&Threads(None)),
+            (_, None) => unreachable!("a pool that cannot be built takes no work"),
+        }
+    }
+
+    /// Whether there is one thread.
+    pub fn is_one(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// Carries out tasks, on the calling thread one by one or on all threads in any order, and adds up what they return.
+    pub fn sum<T: Sum + Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> T {
+        match self.0 {
+            None => tasks.map(work).sum(),
+            Some(pool) => pool.install(|| tasks.into_par_iter().map(&work).collect::<Vec<_>>()).into_iter().sum(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_task_is_done_once() {
+        for threads in [1, 2, 5] {
+            let sum = Threads::with(threads, 1_000_000, |threads| threads.sum(0..100, |i| i));
+            assert_eq!(sum, 4950);
+        }
+    }
+
+    #[test]
+    fn small_meshes_stay_on_one_thread() {
+        assert!(Threads::with(8, WORTH_A_THREAD, |threads| threads.is_one()));
+        assert!(!Threads::with(8, 2 * WORTH_A_THREAD, |threads| threads.is_one()));
+    }
+}
