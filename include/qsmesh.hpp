@@ -86,6 +86,9 @@ template <typename T> struct scalar_of<T[3]> : scalar_of<T> {
 template <typename T> struct scalar_of<std::array<T, 3>> : scalar_of<T> {
 };
 
+template <typename View>
+inline constexpr bool is_writable = !std::is_const_v<std::remove_pointer_t<decltype(std::declval<View &>().data())>>;
+
 /* C functions by precision. */
 template <typename T> struct calls;
 template <> struct calls<float> {
@@ -498,6 +501,7 @@ void smooth(P &&positions, const I &triangles, const options &settings = {}, qsm
 {
     const auto at = points_of(positions);
     const auto numbers = corners_of(triangles);
+    static_assert(detail::is_writable<decltype(at)>, "positions are moved in place, so they are not const");
     detail::check(settings, at.size(), numbers.size());
     detail::run(settings, out, detail::smoothing(at, numbers));
 }
@@ -512,6 +516,7 @@ template <typename P, typename I>
 {
     const auto at = points_of(positions);
     const auto numbers = corners_of(triangles);
+    static_assert(detail::is_writable<decltype(at)>, "positions are moved in place, so they are not const");
     return settings.misfit(at.size(), numbers.size()) ? QSM_BAD_OPTION
                                                       : detail::attempt(settings, out, detail::smoothing(at, numbers));
 }

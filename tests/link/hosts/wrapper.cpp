@@ -5,12 +5,28 @@
 #include "torus.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string>
 #include <type_traits>
 #if __cplusplus >= 202002L
 #include <span>
 #endif
+
+// Allocations of this program; those of the library are none of its business.
+static std::size_t allocations = 0;
+
+void *operator new(std::size_t bytes)
+{
+    allocations++;
+    if (void *room = std::malloc(bytes > 0 ? bytes : 1)) {
+        return room;
+    }
+    throw std::bad_alloc();
+}
+void operator delete(void *room) noexcept { std::free(room); }
+void operator delete(void *room, std::size_t) noexcept { std::free(room); }
 
 namespace {
 
@@ -253,6 +269,19 @@ void measuring_reads_const_containers()
     }
 }
 
+void a_call_allocates_nothing_around_the_c_call()
+{
+    mesh m;
+    std::vector<std::uint8_t> locks(TORUS_VERTICES, 0);
+    qsmesh::report report;
+    const std::size_t before = allocations;
+    qsmesh::options options;
+    qsmesh::smooth(m.positions, m.triangles, options.lock(locks), &report);
+    (void)qsmesh::measure(m.positions, m.triangles);
+    (void)qsmesh::improve(qsmesh::points_of(m.positions), qsmesh::corners_of(m.triangles), options);
+    CHECK(allocations == before);
+}
+
 static_assert(sizeof(qsmesh::points<double>) == 3 * sizeof(void *), "a view is what the C call takes");
 static_assert(std::is_trivially_copyable_v<qsmesh::points<float>>);
 
@@ -270,5 +299,6 @@ int main()
     improving_cuts_containers_and_says_where_all_came_from();
     containers_of_points_are_cut_by_points();
     measuring_reads_const_containers();
+    a_call_allocates_nothing_around_the_c_call();
     return 0;
 }
