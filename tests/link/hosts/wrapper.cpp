@@ -14,10 +14,11 @@
 #include <span>
 #endif
 
-// Allocations of this program; those of the library are none of its business.
+// Allocations of this program; those of the library are none of its business. Never inlined, as the compiler would then
+// take free for the wrong partner of new.
 static std::size_t allocations = 0;
 
-void *operator new(std::size_t bytes)
+[[gnu::noinline]] void *operator new(std::size_t bytes)
 {
     allocations++;
     if (void *room = std::malloc(bytes > 0 ? bytes : 1)) {
@@ -25,8 +26,8 @@ void *operator new(std::size_t bytes)
     }
     throw std::bad_alloc();
 }
-void operator delete(void *room) noexcept { std::free(room); }
-void operator delete(void *room, std::size_t) noexcept { std::free(room); }
+[[gnu::noinline]] void operator delete(void *room) noexcept { std::free(room); }
+[[gnu::noinline]] void operator delete(void *room, std::size_t) noexcept { std::free(room); }
 
 namespace {
 
