@@ -116,8 +116,8 @@ template <typename C, typename = void> struct is_in_order : std::true_type {
 };
 template <typename C>
 struct is_in_order<C, std::void_t<decltype(C::IsRowMajor), decltype(C::ColsAtCompileTime)>>
-    : std::bool_constant<(C::IsRowMajor && C::ColsAtCompileTime == 3) || (!C::IsRowMajor && C::RowsAtCompileTime == 3) ||
-                         C::IsVectorAtCompileTime> {
+    : std::bool_constant<(C::IsRowMajor && C::ColsAtCompileTime == 3) ||
+                         (!C::IsRowMajor && C::RowsAtCompileTime == 3) || C::IsVectorAtCompileTime> {
 };
 template <typename C> inline constexpr bool in_order = is_in_order<std::remove_cv_t<std::remove_reference_t<C>>>::value;
 
@@ -380,9 +380,9 @@ template <typename Call> qsm_status attempt(const options &settings, qsm_report 
 }
 
 /*
- * Runs a call and throws what it failed with. A report makes the library measure, so a caller who wants none is not made
- * to pay for one: only a call that has failed is made again to be told why. It fails in the same way, as nothing has
- * changed, before any work is done.
+ * Runs a call and throws what it failed with. A report makes the library measure, so a caller who wants none is not
+ * made to pay for one: only a call that has failed is made again to be told why. It fails in the same way, as nothing
+ * has changed, before any work is done.
  */
 template <typename Call> void run(const options &settings, qsm_report *out, const Call &call)
 {
@@ -507,8 +507,8 @@ void smooth(P &&positions, const I &triangles, const options &settings = {}, qsm
 }
 
 /*
- * The same with the status as its value. Throws only what on_progress threw. QSM_BAD_OPTION without a word in the report
- * stands for a lock or mask of another length than the mesh asks for.
+ * The same with the status as its value. Throws only what on_progress threw. QSM_BAD_OPTION without a word in the
+ * report stands for a lock or mask of another length than the mesh asks for.
  */
 template <typename P, typename I>
 [[nodiscard]] qsm_status try_smooth(P &&positions, const I &triangles, const options &settings = {},
@@ -614,7 +614,7 @@ template <typename P, typename I> measurement measure(const P &positions, const 
     return measured;
 }
 
-/* qsm_histogram_*: how many triangles have a value in each of `bins` intervals from `lower` on. Throws qsmesh::error. */
+/* qsm_histogram_*: how many triangles have a value in each of `bins` intervals from `lower` on. Throws as measure. */
 template <typename P, typename I>
 std::vector<std::size_t> histogram(const P &positions, const I &triangles, qsm_parameter parameter, double lower,
                                    double interval, std::size_t bins)

@@ -131,7 +131,8 @@ int main()
                 before.number_of_faces(), report.before.min_angle.min, report.before.edge_ratio.mean);
     std::printf("after: %u vertices, %u faces, angle min %.2f, edge_ratio mean %.4f\n", after.number_of_vertices(),
                 after.number_of_faces(), report.after.min_angle.min, report.after.edge_ratio.mean);
-    std::printf("properties: valid %d, texture off by %.6f on the border and %.4f inside, faces with strayed material %zu\n",
+    std::printf("properties: valid %d, texture off by %.6f on the border and %.4f inside, "
+                "faces with strayed material %zu\n",
                 after.is_valid(false) ? 1 : 0, texture_error(after, true), texture_error(after, false),
                 strayed_materials(after));
     return 0;

@@ -25,7 +25,7 @@ struct surface {
 /* The mesh of all faces of the part `part` of gmsh's current model. */
 surface read_surface(int part);
 
-/* Replaces the mesh of all faces. Nodes on CAD edges stay as they are in gmsh, all others are put onto their CAD face. */
+/* Replaces the mesh of all faces. Nodes on CAD edges stay as they are in gmsh, others are put onto their CAD face. */
 void write_surface(const surface &s);
 
 #endif

@@ -21,8 +21,8 @@ std::vector<idx_t> part_of_triangles(const mesh &whole, int parts)
     auto triangles = static_cast<idx_t>(whole.triangles.size());
     auto vertices = static_cast<idx_t>(whole.points.size());
     idx_t edge = 2, count = parts, cut_edges = 0;
-    if (METIS_PartMeshDual(&triangles, &vertices, starts.data(), corners.data(), nullptr, nullptr, &edge, &count, nullptr,
-                           nullptr, &cut_edges, part.data(), part_of_nodes.data()) != METIS_OK) {
+    if (METIS_PartMeshDual(&triangles, &vertices, starts.data(), corners.data(), nullptr, nullptr, &edge, &count,
+                           nullptr, nullptr, &cut_edges, part.data(), part_of_nodes.data()) != METIS_OK) {
         throw std::runtime_error("METIS could not partition the mesh");
     }
     return part;

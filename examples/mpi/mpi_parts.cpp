@@ -22,8 +22,8 @@ namespace {
 constexpr int ROUNDS = 3;
 
 /*
- * What makes a part come out as the whole would: vertices are visited by rising number, one round a call, and no edge is
- * a feature by its angle, for that is judged by more of the surface than a part holds.
+ * What makes a part come out as the whole would: vertices are visited by rising number, one round a call, and no edge
+ * is a feature by its angle, for that is judged by more of the surface than a part holds.
  */
 void smooth_once(mesh &m, const std::vector<std::uint8_t> &locks)
 {
@@ -196,8 +196,8 @@ bool judge(const process &all, const cut &c, mesh before, const mesh &after)
     const qsmesh::measurement last = qsmesh::measure(after.points, after.triangles);
     smooth_whole(before, c);
     const bool same = std::memcmp(before.points.data(), after.points.data(), after.points.size() * sizeof(point)) == 0;
-    std::printf("ranks %d, parts %d: %zu vertices, %ld on the interface, angle min %.2f -> %.2f, edge_ratio mean %.4f -> "
-                "%.4f\n",
+    std::printf("ranks %d, parts %d: %zu vertices, %ld on the interface, angle min %.2f -> %.2f, "
+                "edge_ratio mean %.4f -> %.4f\n",
                 all.ranks, all.parts, first.vertices, static_cast<long>(on_interface), first.min_angle.min,
                 last.min_angle.min, first.edge_ratio.mean, last.edge_ratio.mean);
     std::printf("bits %016llx, %s one process\n", static_cast<unsigned long long>(hash_of(after.points)),

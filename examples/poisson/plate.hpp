@@ -19,8 +19,8 @@ struct mesh {
 /* Made by gmsh; `size` is the edge length at the outer border, a sixth of that at the hole's. */
 mesh make_plate(double size);
 
-/* Shifts every inner vertex at random, as far as no triangle turns over or gets flatter than `least`, which is twice the
-   area over the squared size of the triangles around. */
+/* Shifts every inner vertex at random, as far as no triangle turns over or gets flatter than `least`, which is twice
+   the area over the squared size of the triangles around. */
 void scatter(mesh &m, double least);
 
 double twice_area(const mesh &m, const triangle &t);

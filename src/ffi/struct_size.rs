@@ -2,8 +2,8 @@
 //!
 //! Fields are only ever appended, and never into the padding at the end. A caller states the size of the struct that it
 //! knows in `struct_size`; the library reads or writes that many bytes and takes the defaults for the rest. Only sizes
-//! at which a version ends are taken: any other would cut a field in two, or come from a newer header, whose last fields
-//! would be ignored in silence.
+//! at which a version ends are taken: any other would cut a field in two, or come from a newer header, whose last
+//! fields would be ignored in silence.
 //!
 //! The header hands the caller's own size to the `_init_sized` functions, which write no further. The `_init` functions
 //! without a size are for languages that do not read the header; they write the structs of version 0.1 for ever.

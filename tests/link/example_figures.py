@@ -65,7 +65,7 @@ def check_poisson(folder):
         _, _, plain, preconditioned, error = said[f"{mesh} before"]
         _, _, better_plain, better_preconditioned, better_error = said[f"{mesh} after"]
         check(better_plain <= share * plain, f"conjugate gradients take fewer steps on the {mesh} mesh")
-        check(better_preconditioned <= max(share, 0.7) * preconditioned, f"so they do on the {mesh} mesh, preconditioned")
+        check(better_preconditioned <= max(share, 0.7) * preconditioned, f"and preconditioned on the {mesh} mesh")
         check(better_error <= 1.02 * error, f"the error on the {mesh} mesh is no larger")
     check(said["scattered after"][4] < 0.6 * said["scattered before"][4], "the error on the scattered mesh is smaller")
 
