@@ -57,6 +57,9 @@ typedef int32_t qsm_flow;
  * Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
  * you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
  *
+ * A host that only smooths may know this struct up to user alone, with struct_size accordingly; every field that it
+ * does not know has its default then.
+ *
  * The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
  * look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
  * it has no meaning.
@@ -752,22 +755,46 @@ typedef int32_t qsm_parameter;
 #define QSM_REASON_NO_GAIN 6
 
 /**
- * Sets struct_size and every default. Does nothing with NULL.
+ * Sets struct_size to size, and every default as far as size reaches. Does nothing with NULL.
+ */
+void qsm_options_init_sized(struct qsm_options *options, size_t size);
+
+/**
+ * The same for the struct as it was in version 0.1, which a newer library does not exceed. C and C++ call
+ * qsm_options_init_sized by this name.
  */
 void qsm_options_init(struct qsm_options *options);
 
 /**
- * Sets struct_size and everything else to 0. Does nothing with NULL.
+ * Sets struct_size to size, and everything else to 0 as far as size reaches. Does nothing with NULL.
+ */
+void qsm_report_init_sized(struct qsm_report *report,
+                           size_t size);
+
+/**
+ * qsm_report_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
  */
 void qsm_report_init(struct qsm_report *report);
 
 /**
- * Sets struct_size and everything else to 0. Does nothing with NULL.
+ * Sets struct_size to size, and everything else to 0 as far as size reaches. Does nothing with NULL.
+ */
+void qsm_measurement_init_sized(struct qsm_measurement *out,
+                                size_t size);
+
+/**
+ * qsm_measurement_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
  */
 void qsm_measurement_init(struct qsm_measurement *out);
 
 /**
- * Sets struct_size and everything else to 0 and NULL. Does nothing with NULL.
+ * Sets struct_size to size, and everything else to 0 and NULL as far as size reaches. Does nothing with NULL.
+ */
+void qsm_maps_init_sized(struct qsm_maps *maps,
+                         size_t size);
+
+/**
+ * qsm_maps_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
  */
 void qsm_maps_init(struct qsm_maps *maps);
 
@@ -939,6 +966,15 @@ const char *qsm_status_string(qsm_status status);
  * Version of the library at run time, such as "1.2.3". Never NULL, lives for ever, not to be freed.
  */
 const char *qsm_version(void);
+
+/*
+ * The init functions know how much room the caller's struct has, which is that of this header and not of the library
+ * that is found at run time.
+ */
+#define qsm_options_init(options) qsm_options_init_sized((options), sizeof(qsm_options))
+#define qsm_report_init(report) qsm_report_init_sized((report), sizeof(qsm_report))
+#define qsm_measurement_init(out) qsm_measurement_init_sized((out), sizeof(qsm_measurement))
+#define qsm_maps_init(maps) qsm_maps_init_sized((maps), sizeof(qsm_maps))
 
 #ifdef __cplusplus
 }

@@ -149,17 +149,20 @@ pub(super) unsafe fn write_struct<T: Versioned>(pointer: *mut T, value: T) {
     }
 }
 
+/// Defaults for as much of the caller's struct as it has room for, and that room as its `struct_size`. Nothing for NULL
+/// or where not even that has room. A struct longer than our own gets its size too, so that every call refuses it.
+///
 /// # Safety
-/// `pointer` is NULL or points to room for the first version of the struct.
-pub(super) unsafe fn initialise<T: Versioned + Default>(pointer: *mut T) {
-    if pointer.is_null() {
+/// `pointer` is NULL or points to room for `size` bytes.
+pub(super) unsafe fn initialise<T: Versioned + Default>(pointer: *mut T, size: usize) {
+    if pointer.is_null() || size < size_of::<size_t>() {
         return;
     }
     let value = T::default();
-    // SAFETY: the first version is no longer than our own struct, and the caller has room for it.
+    // SAFETY: what is written is no longer than our own struct, and the caller has room for it; it may be unaligned.
     unsafe {
-        pointer.cast::<u8>().copy_from_nonoverlapping((&raw const value).cast(), T::FIRST_SIZE);
-        pointer.cast::<usize>().write_unaligned(T::FIRST_SIZE);
+        pointer.cast::<u8>().copy_from_nonoverlapping((&raw const value).cast(), size.min(size_of::<T>()));
+        pointer.cast::<usize>().write_unaligned(size);
     }
 }
 
@@ -189,6 +192,7 @@ mod tests {
     impl Versioned for Grown {
         const NAME: &'static CStr = c"grown";
         const FIRST_SIZE: usize = offset_of!(Self, first) + size_of::<u64>();
+        const LATER_SIZES: &'static [usize] = &[size_of::<Self>()];
     }
 
     fn given(struct_size: usize) -> Grown {
@@ -224,10 +228,25 @@ mod tests {
     }
 
     #[test]
-    fn initialising_writes_the_first_version_for_ever() {
-        let mut target = given(usize::MAX);
-        // SAFETY: there is room for more than the first version.
-        unsafe { initialise(&mut target) };
-        assert_eq!(target, Grown { struct_size: Grown::FIRST_SIZE, first: 1, added: 80 });
+    fn initialising_writes_no_further_than_the_caller_has_room() {
+        let initialised = |size| {
+            let mut target = given(usize::MAX);
+            // SAFETY: there is room for the whole struct, and no more than that is written whatever the size.
+            unsafe { initialise(&mut target, size) };
+            (target.struct_size, target.first, target.added)
+        };
+        assert_eq!(initialised(Grown::FIRST_SIZE), (Grown::FIRST_SIZE, 1, 80));
+        assert_eq!(initialised(size_of::<Grown>()), (size_of::<Grown>(), 1, 2));
+        assert_eq!(initialised(size_of::<Grown>() + 8), (size_of::<Grown>() + 8, 1, 2));
+        assert_eq!(initialised(size_of::<size_t>() - 1), (usize::MAX, 70, 80));
+        // SAFETY: nothing is written through NULL.
+        unsafe { initialise(null_mut::<Grown>(), 24) };
+    }
+
+    #[test]
+    fn only_whole_versions_are_taken() {
+        for inside in [Grown::FIRST_SIZE + 1, size_of::<Grown>() - 1] {
+            assert_eq!(Grown::check_size(inside).unwrap_err().status, QSM_BAD_STRUCT_SIZE);
+        }
     }
 }

@@ -25,6 +25,7 @@ use options::{qsm_options, qsm_parameter};
 use report::{qsm_measurement, qsm_report};
 use stage::Stage;
 use status::qsm_status;
+use struct_size::Versioned;
 
 /// The version as a C string.
 const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
@@ -32,32 +33,61 @@ const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_V
     Err(_) => panic!("a version holds no zero byte"),
 };
 
-/// Sets struct_size and every default. Does nothing with NULL.
+/// Sets struct_size to size, and every default as far as size reaches. Does nothing with NULL.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn qsm_options_init(options: *mut qsm_options) {
-    // SAFETY: the caller passes NULL or room for a struct of the first version, which is all that is written.
-    unsafe { initialise(options) }
+pub unsafe extern "C" fn qsm_options_init_sized(options: *mut qsm_options, size: size_t) {
+    // SAFETY: the caller passes NULL or room for as much as it says, which is all that is written.
+    unsafe { initialise(options, size) }
 }
 
-/// Sets struct_size and everything else to 0. Does nothing with NULL.
+/// The same for the struct as it was in version 0.1, which a newer library does not exceed. C and C++ call
+/// qsm_options_init_sized by this name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_options_init(options: *mut qsm_options) {
+    // SAFETY: the caller passes NULL or room for a struct of version 0.1, which is all that is written.
+    unsafe { initialise(options, qsm_options::INIT_SIZE) }
+}
+
+/// Sets struct_size to size, and everything else to 0 as far as size reaches. Does nothing with NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_report_init_sized(report: *mut qsm_report, size: size_t) {
+    // SAFETY: as in qsm_options_init_sized.
+    unsafe { initialise(report, size) }
+}
+
+/// qsm_report_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qsm_report_init(report: *mut qsm_report) {
     // SAFETY: as in qsm_options_init.
-    unsafe { initialise(report) }
+    unsafe { initialise(report, qsm_report::INIT_SIZE) }
 }
 
-/// Sets struct_size and everything else to 0. Does nothing with NULL.
+/// Sets struct_size to size, and everything else to 0 as far as size reaches. Does nothing with NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_measurement_init_sized(out: *mut qsm_measurement, size: size_t) {
+    // SAFETY: as in qsm_options_init_sized.
+    unsafe { initialise(out, size) }
+}
+
+/// qsm_measurement_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qsm_measurement_init(out: *mut qsm_measurement) {
     // SAFETY: as in qsm_options_init.
-    unsafe { initialise(out) }
+    unsafe { initialise(out, qsm_measurement::INIT_SIZE) }
 }
 
-/// Sets struct_size and everything else to 0 and NULL. Does nothing with NULL.
+/// Sets struct_size to size, and everything else to 0 and NULL as far as size reaches. Does nothing with NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_maps_init_sized(maps: *mut qsm_maps, size: size_t) {
+    // SAFETY: as in qsm_options_init_sized.
+    unsafe { initialise(maps, size) }
+}
+
+/// qsm_maps_init_sized for the struct as it was in version 0.1; as with qsm_options_init.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn qsm_maps_init(maps: *mut qsm_maps) {
     // SAFETY: as in qsm_options_init.
-    unsafe { initialise(maps) }
+    unsafe { initialise(maps, qsm_maps::INIT_SIZE) }
 }
 
 /// Improves the triangles of a mesh by moving its vertices.

@@ -68,6 +68,9 @@ pub const QSM_RADIUS_RATIO: qsm_parameter = 4;
 /// Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
 /// you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
 ///
+/// A host that only smooths may know this struct up to user alone, with struct_size accordingly; every field that it
+/// does not know has its default then.
+///
 /// The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
 /// look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
 /// it has no meaning.
@@ -171,7 +174,10 @@ impl Default for qsm_options {
 
 impl Versioned for qsm_options {
     const NAME: &'static CStr = c"options";
-    const FIRST_SIZE: usize = offset_of!(Self, triangle_mask) + size_of::<*const u8>();
+    // Up to the tail: all that a host which only smooths has to know.
+    const FIRST_SIZE: usize = offset_of!(Self, user) + size_of::<*mut c_void>();
+    const LATER_SIZES: &'static [usize] = &[Self::INIT_SIZE];
+    const INIT_SIZE: usize = offset_of!(Self, triangle_mask) + size_of::<*const u8>();
 }
 
 impl qsm_options {
