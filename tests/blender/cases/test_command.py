@@ -27,6 +27,11 @@ def command(positions, triangles, *arguments):
         return *ply.read(target), json.loads(done.stdout)
 
 
+def in_order(triangles):
+    """The same triangles, in an order that depends on nothing else."""
+    return triangles[numpy.lexsort(triangles.T)]
+
+
 class Command(Situation):
     def test_smooth_with_defaults_gives_the_same_bits(self):
         positions, triangles = real_mesh()
@@ -68,7 +73,8 @@ class Command(Situation):
         expected, expected_triangles, report = command(positions, triangles, "improve", "--feature-angle=off")
         self.assertLess(len(expected), len(positions), "the tail of this mesh asks for no removal")
         self.assert_same_bits(coordinates(obj), expected)
-        self.assert_same_bits(faces(obj), expected_triangles)
+        # The command sorts triangles by the faces that its file keeps; corners stay in their order.
+        self.assert_same_bits(in_order(faces(obj)), in_order(expected_triangles))
 
     def test_edit_mode_gives_the_same_bits(self):
         positions, triangles = real_mesh()
