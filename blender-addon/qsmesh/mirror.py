@@ -8,6 +8,13 @@ from mathutils.kdtree import KDTree
 PARTNER_DISTANCE = 1e-5
 
 
+def chosen_axes(obj):
+    """The axes that the user has chosen for the object's mesh, beside Blender's own tools: a set of "X", "Y", "Z"."""
+    if obj.type != "MESH":
+        return set()
+    return {axis for axis in "XYZ" if getattr(obj.data, f"use_mirror_{axis.lower()}")}
+
+
 class Symmetry:
     """Which vertices are images of each other in planes through the origin."""
 

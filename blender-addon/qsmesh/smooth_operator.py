@@ -3,7 +3,7 @@
 
 import bpy
 
-from . import settings, smoothing
+from . import mirror, settings, smoothing
 from .mesh_operator import MeshOperator
 
 
@@ -18,9 +18,8 @@ class QSMESH_OT_smooth(
 
     def invoke(self, context, event):
         # Symmetry is a setting of the mesh that Blender's own tools follow; the user can still change it afterwards.
-        mesh = context.object.data if context.object is not None and context.object.type == "MESH" else None
-        if mesh is not None and not self.properties.is_property_set("mirror"):
-            self.mirror = {axis for axis in "XYZ" if getattr(mesh, f"use_mirror_{axis.lower()}")}
+        if context.object is not None and not self.properties.is_property_set("mirror"):
+            self.mirror = mirror.chosen_axes(context.object)
         return self.execute(context)
 
     def draw(self, context):

@@ -79,6 +79,10 @@ def add(positions, polygons, name="mesh"):
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(numpy.asarray(positions).tolist(), [], numpy.asarray(polygons).tolist())
     mesh.update()
+    # Blender 5.0 gives the edges that it adds here a selection of pairs of integers, over which it stumbles later.
+    selection = mesh.attributes.get(".select_edge")
+    if selection is not None and selection.data_type != "BOOLEAN":
+        mesh.attributes.remove(selection)
     return place(bpy.data.objects.new(name, mesh))
 
 
@@ -119,10 +123,21 @@ def faces(obj):
 def choose(obj, chosen, name="select"):
     """Selects vertices, in Object Mode, and with them the edges and faces between them; or hides them."""
     mesh = obj.data
-    mesh.vertices.foreach_set(name, chosen)
-    for polygons in (mesh.edges, mesh.polygons):
-        polygons.foreach_set(name, [all(chosen[vertex] for vertex in polygon.vertices) for polygon in polygons])
+    edges = [all(chosen[vertex] for vertex in edge.vertices) for edge in mesh.edges]
+    polygons = [all(chosen[vertex] for vertex in polygon.vertices) for polygon in mesh.polygons]
+    _flag(mesh, "vertices", name, "vert", "POINT", chosen)
+    _flag(mesh, "edges", name, "edge", "EDGE", edges)
+    _flag(mesh, "polygons", name, "poly", "FACE", polygons)
     mesh.update()
+
+
+def _flag(mesh, elements, name, short, domain, values):
+    if bpy.app.version < (4, 1):
+        getattr(mesh, elements).foreach_set(name, values)
+        return
+    layer = f".{name}_{short}"
+    attribute = mesh.attributes.get(layer) or mesh.attributes.new(layer, "BOOLEAN", domain)
+    attribute.data.foreach_set("value", values)
 
 
 def edit_and_back(function, **arguments):
