@@ -35,7 +35,7 @@ class QSMESH_OT_measure(ActiveMesh, bpy.types.Operator):
         try:
             last_figures = measuring.measure(context.object, self.parameter)
         except LibraryError as error:
-            self.report({"ERROR"}, f"'{context.object.name}': {error}")
+            self.report({"ERROR"}, str(error) if error.status is None else f"'{context.object.name}': {error}")
             return {"CANCELLED"}
         return {"FINISHED"}
 

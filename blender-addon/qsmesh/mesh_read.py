@@ -29,7 +29,8 @@ def readable(obj):
 def positions(mesh):
     """Coordinates of the mesh itself: float32, (vertices, 3)."""
     found = numpy.empty((len(mesh.vertices), 3), dtype=numpy.float32)
-    if HAS_ATTRIBUTES:
+    # A mesh of nothing has not even the attribute.
+    if HAS_ATTRIBUTES and len(found):
         mesh.attributes["position"].data.foreach_get("vector", found.ravel())
     else:
         mesh.vertices.foreach_get("co", found.ravel())

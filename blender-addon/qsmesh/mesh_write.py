@@ -14,7 +14,7 @@ def moved_vertices(before, after):
 
 def positions(mesh, coordinates):
     """Writes float32 coordinates, (vertices, 3), in Object Mode."""
-    if mesh_read.HAS_ATTRIBUTES:
+    if mesh_read.HAS_ATTRIBUTES and len(coordinates):
         mesh.attributes["position"].data.foreach_set("vector", coordinates.ravel())
     else:
         mesh.vertices.foreach_set("co", coordinates.ravel())

@@ -5,7 +5,7 @@ that every layer of Blender's, known here or not, is carried along by Blender it
 import bmesh
 import numpy
 
-from . import edge_ancestors, shape_keys
+from . import shape_keys
 
 
 def rebuild(obj, found, improved, after):
@@ -71,7 +71,6 @@ class _Change:
         self.vertices, self.faces = list(edited.verts), list(edited.faces)
         gone = numpy.setdiff1d(numpy.arange(len(found.positions)), improved.vertex_source)
         self.removed = [self.vertices[number] for number in gone.tolist()]
-        self.ancestors = edge_ancestors.EdgeAncestors(edited, set(self.removed))
 
     def move(self, after):
         stayed = self.improved.vertex_source
@@ -94,9 +93,8 @@ class _Change:
         return places, list(doomed.values())
 
     def _new_face(self, numbers, place):
+        """A face like the one in whose place it comes. Edges that are new bear no mark: marked ones are never exchanged."""
         corners = [self.vertices[number] for number in numbers]
-        for start, end in zip(corners, corners[1:] + corners[:1]):
-            self.ancestors.ensure_edge(start, end)
         example = self.faces[int(self.improved.triangle_source[place])]
         face = self.edited.faces.new(corners, example)
         for corner, source in zip(face.loops, self.improved.corner_source[3 * place : 3 * place + 3].tolist()):
