@@ -308,14 +308,20 @@ def default_options():
     return options
 
 
-def smooth(positions, triangles, options):
-    """Moves the vertices of positions in place and returns the report. On LibraryError positions are as they were."""
+def smooth(positions, triangles, options, figures=True):
+    """Moves the vertices of positions in place. On LibraryError positions are as they were.
+
+    Returns the report, or None if no figures are wanted: measuring takes longer than smoothing.
+    """
     function, count, stride = _call("smooth", positions)
-    report = _new_report()
+    report = _new_report() if figures else None
     status = function(
         _pointer(positions, c_float), c_size_t(count), c_size_t(stride), _pointer(triangles, c_uint32),
-        c_size_t(triangles.size), byref(options), byref(report),
+        c_size_t(triangles.size), byref(options), byref(report) if figures else None,
     )
+    if status != OK and not figures:
+        # Only a report says what is at fault.
+        return smooth(positions, triangles, options)
     _check(status, report)
     return report
 

@@ -18,7 +18,8 @@ PARAMETERS = {
 }
 BINS = {"SHAPE": 10}
 MOST_BINS = 12
-BAR = 24
+# Characters of the longest bar; the sidebar has room for no more.
+BAR = 7
 
 
 def parameter_property():
@@ -59,29 +60,32 @@ def measure(obj, parameter):
     return Figures(obj.name, parameter, library.measure(positions, triangles), counts)
 
 
-def figure_lines(figures):
-    """(label, value) pairs."""
+def figure_rows(figures):
+    """(name, mean, worst) for each parameter that the panel shows; as short as the sidebar is narrow."""
     found = figures.measurement
+    angles = (("Min Angle", found.min_angle, found.min_angle.min), ("Max Angle", found.max_angle, found.max_angle.max))
     return [
-        ("Triangles", f"{found.triangles:,}"),
-        ("Edge Ratio", f"{found.edge_ratio.mean:.3f} mean, {found.edge_ratio.max:.1f} worst"),
-        ("Smallest Angle", f"{found.min_angle.mean:.1f}° mean, {found.min_angle.min:.1f}° worst"),
-        ("Largest Angle", f"{found.max_angle.mean:.1f}° mean, {found.max_angle.max:.1f}° worst"),
-        ("Below 10°, 20°, 30°", f"{found.below_10:,}, {found.below_20:,}, {found.below_30:,}"),
-        ("Without Area", f"{found.zero_area:,}"),
-        ("Boundary Edges", f"{found.boundary_edges:,}"),
-        ("Non-manifold Edges", f"{found.non_manifold_edges:,}"),
+        ("", "Mean", "Worst"),
+        ("Edge Ratio", f"{found.edge_ratio.mean:.3f}", f"{found.edge_ratio.max:.1f}"),
+        *((name, f"{values.mean:.1f}°", f"{worst:.1f}°") for name, values, worst in angles),
+        ("Shape", f"{found.shape.mean:.3f}", f"{found.shape.min:.3f}"),
     ]
 
 
-def histogram_lines(figures):
-    """(interval, bar, count) for each interval; a bar is never empty where there is a triangle."""
+def count_rows(figures):
+    """(name, count) pairs."""
+    found = figures.measurement
+    counts = [
+        ("Triangles", found.triangles), ("Below 10°", found.below_10), ("Below 20°", found.below_20),
+        ("Below 30°", found.below_30), ("Without Area", found.zero_area), ("Open Edges", found.boundary_edges),
+        ("Non-manifold", found.non_manifold_edges),
+    ]
+    return [(name, f"{count:,}") for name, count in counts]
+
+
+def histogram_rows(figures):
+    """(start of the interval, bar, count) for each interval; a bar is never empty where there is a triangle."""
     _, _, lower, interval = PARAMETERS[figures.parameter]
     most = max(figures.counts) or 1
-    lines = []
-    for number, count in enumerate(figures.counts):
-        start = f"{lower + number * interval:g}"
-        last = number == len(figures.counts) - 1
-        label = f"from {start}" if last else f"{start} – {lower + (number + 1) * interval:g}"
-        lines.append((label, "█" * -(-BAR * count // most), f"{count:,}"))
-    return lines
+    starts = (f"{lower + number * interval:g}" for number in range(len(figures.counts)))
+    return [(start, "█" * -(-BAR * count // most), f"{count:,}") for start, count in zip(starts, figures.counts)]

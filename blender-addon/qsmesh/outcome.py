@@ -19,9 +19,10 @@ class Outcome:
 
     name: str
     moved: int
-    before: Measurement
-    after: Measurement
-    kept: Kept = field(default_factory=Kept)
+    # None where no figures were wanted.
+    before: Measurement = None
+    after: Measurement = None
+    kept: Kept = None
     tail: Report = None
     notes: list = field(default_factory=list)
 
@@ -36,15 +37,17 @@ def text(outcomes):
 def one(outcome):
     """The line for one object."""
     if not outcome.moved and outcome.tail is None:
-        return f"No vertex of '{outcome.name}' moved: {_why(outcome.kept)}"
-    parts = [f"Moved {outcome.moved:,} vertices", *_tail(outcome.tail), _quality(outcome.before, outcome.after)]
+        return f"No vertex of '{outcome.name}' moved{_why(outcome.kept)}"
+    parts = [f"Moved {outcome.moved:,} vertices", *_tail(outcome.tail), *_quality(outcome.before, outcome.after)]
     return "; ".join(parts)
 
 
 def _why(kept):
+    if kept is None:
+        return ""
     counts = [(getattr(kept, name), reason) for name, reason in REASONS.items()]
     found = [f"{count:,} {reason}" for count, reason in sorted(counts, reverse=True) if count]
-    return ", ".join(found) or "it has none"
+    return ": " + (", ".join(found) or "it has none")
 
 
 def _tail(report):
@@ -55,7 +58,7 @@ def _tail(report):
 
 
 def _quality(before, after):
-    return (
-        f"edge ratio {before.edge_ratio.mean:.3f} → {after.edge_ratio.mean:.3f}, "
-        f"smallest angle {before.min_angle.min:.1f}° → {after.min_angle.min:.1f}°"
-    )
+    if before is None:
+        return []
+    ratio = f"edge ratio {before.edge_ratio.mean:.3f} → {after.edge_ratio.mean:.3f}"
+    return [f"{ratio}, smallest angle {before.min_angle.min:.1f}° → {after.min_angle.min:.1f}°"]

@@ -37,18 +37,25 @@ class QSMESH_PT_quality(bpy.types.Panel):
 
 def _draw_figures(box, figures):
     box.label(text=figures.name, icon="MESH_DATA")
-    _draw_rows(box, measuring.figure_lines(figures), 0.45)
-    box.label(text=measuring.PARAMETERS[figures.parameter][1])
-    _draw_rows(box, [(label, f"{bar} {count}") for label, bar, count in measuring.histogram_lines(figures)], 0.3)
+    _draw_rows(box, measuring.figure_rows(figures), 0.44, 0.48)
+    _draw_rows(box, measuring.count_rows(figures), 0.6)
+    box.label(text=f"{measuring.PARAMETERS[figures.parameter][1]} from")
+    _draw_rows(box, measuring.histogram_rows(figures), 0.22, 0.6)
 
 
-def _draw_rows(box, rows, share):
+def _draw_rows(box, rows, share, middle_share=1.0):
+    """The first cell of a row has a share of the width, the middle one of the rest; the last stands at the right."""
     column = box.column(align=True)
-    column.scale_y = 0.7
-    for label, value in rows:
+    column.scale_y = 0.75
+    for first, *middle, last in rows:
         row = column.split(factor=share)
-        row.label(text=label)
-        row.label(text=value)
+        row.label(text=first)
+        row = row.split(factor=middle_share) if middle else row
+        for text in middle:
+            row.label(text=text)
+        row = row.row()
+        row.alignment = "RIGHT"
+        row.label(text=last)
 
 
 def _draw_wrapped(layout, text):

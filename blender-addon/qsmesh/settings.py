@@ -106,6 +106,16 @@ class MethodSettings:
     )
 
 
+class TellSettings:
+    """What the user hears."""
+
+    tell_quality: BoolProperty(
+        name="Report Quality", default=True,
+        description="Show the quality before and after in the status bar. Measuring takes longer than smoothing: "
+        "switch it off to adjust options of large meshes",
+    )
+
+
 class TailSettings:
     """Which triangles are cured one by one, and how."""
 
@@ -150,9 +160,11 @@ def draw(operator, context):
     _draw_names(layout, operator, ["iterations", "relaxation", "quality_floor"])
     if hasattr(operator, "tail_edge_ratio"):
         _draw_names(layout, operator, TailSettings.__annotations__)
-    _draw_region(layout.column(heading="Region"), operator, context)
+    _draw_region(layout.column(), operator, context)
     _draw_features(layout, operator)
     _draw_names(layout, operator, ["plane", "ideal", "order", "threads", "interval_width", "sample_limit"])
+    if hasattr(operator, "tell_quality"):
+        layout.prop(operator, "tell_quality")
 
 
 def _draw_names(layout, operator, names):
@@ -178,14 +190,14 @@ def _draw_region(column, operator, context):
 def _draw_features(layout, operator):
     column = layout.column(heading="Keep")
     row = column.row()
-    row.prop(operator, "use_features")
+    row.prop(operator, "use_features", text="Angle")
     angle = row.row()
     angle.active = operator.use_features
     angle.prop(operator, "feature_angle", text="")
     for name in ("keep_sharp", "keep_seams", "keep_creases", "keep_materials", "keep_uv_borders"):
         column.prop(operator, name)
-    row = column.row()
-    row.prop(operator, "use_max_deviation")
+    row = layout.row(heading="Limit")
+    row.prop(operator, "use_max_deviation", text="Deviation")
     distance = row.row()
     distance.active = operator.use_max_deviation
     distance.prop(operator, "max_deviation", text="")

@@ -9,7 +9,7 @@ from .mesh_operator import MeshOperator
 
 class QSMESH_OT_smooth(
     MeshOperator, settings.RegionSettings, settings.MirrorSettings, settings.FeatureSettings, settings.MethodSettings,
-    bpy.types.Operator,
+    settings.TellSettings, bpy.types.Operator,
 ):
     bl_idname = "mesh.qsmesh_smooth"
     bl_label = "Quasi-statistical Smooth"

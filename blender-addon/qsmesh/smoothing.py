@@ -17,6 +17,8 @@ def smooth(obj, settings, tell):
     else:
         after, notes = call.move(found.positions, found.free, found.marked), []
     moved = shape_keys.write(obj, found.positions, after)
+    if not settings.tell_quality:
+        return Outcome(obj.name, moved, notes=notes)
     first, last = call.reports[0], call.reports[-1]
     measured = library.measure(found.world.enter(after), found.triangles) if settings.mirror else last.after
     return Outcome(obj.name, moved, first.before, measured, kept=last.kept, notes=notes)
@@ -27,6 +29,7 @@ class _Call:
 
     def __init__(self, found, settings, tell):
         self.found = found
+        self.figures = settings.tell_quality
         self.reports = []
         self.options = library_options(settings, found.world)
         self.options.call_back(tell)
@@ -37,7 +40,7 @@ class _Call:
         worked = entered.copy()
         self.options.lock(~free)
         self.options.mark(marked)
-        self.reports.append(library.smooth(worked, self.found.triangles, self.options))
+        self.reports.append(library.smooth(worked, self.found.triangles, self.options, self.figures))
         return self.found.world.leave(positions, entered, worked)
 
 

@@ -19,17 +19,19 @@ class Measure(Situation):
         for call in (bpy.ops.mesh.qsmesh_measure, lambda: edit_and_back(bpy.ops.mesh.qsmesh_measure)):
             part("measure_operator").last_figures = None
             self.assertEqual(call(), {"FINISHED"})
-            lines = dict(part("measuring").figure_lines(part("measure_operator").last_figures))
-            self.assertEqual(lines["Triangles"], f"{len(self.triangles):,}")
-            self.assertTrue(lines["Edge Ratio"].startswith(f"{self.figures.edge_ratio.mean:.3f}"))
-            self.assertTrue(lines["Smallest Angle"].endswith(f"{self.figures.min_angle.min:.1f}° worst"))
+            found = part("measure_operator").last_figures
+            rows = {name: cells for name, *cells in part("measuring").figure_rows(found)}
+            self.assertEqual(float(rows["Edge Ratio"][0]), round(self.figures.edge_ratio.mean, 3))
+            self.assertEqual(rows["Min Angle"][1], f"{self.figures.min_angle.min:.1f}°")
+            self.assertEqual(rows["Max Angle"][1], f"{self.figures.max_angle.max:.1f}°")
+            self.assertEqual(dict(part("measuring").count_rows(found))["Triangles"], f"{len(self.triangles):,}")
 
     def test_the_histogram_counts_every_triangle(self):
         for parameter in WORST:
             bpy.ops.mesh.qsmesh_measure(parameter=parameter)
             found = part("measure_operator").last_figures
             self.assertEqual(sum(found.counts), len(self.triangles))
-            lines = part("measuring").histogram_lines(found)
+            lines = part("measuring").histogram_rows(found)
             self.assertEqual(max(len(bar) for _, bar, _ in lines), part("measuring").BAR)
             self.assertEqual([len(bar) > 0 for _, bar, _ in lines], [count > 0 for count in found.counts])
 

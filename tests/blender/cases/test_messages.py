@@ -58,6 +58,18 @@ class Messages(Situation):
         self.assertEqual(part("outcome").text([figures]),
                          f"No vertex of 'mesh' moved: {len(positions)} not chosen or hidden")
 
+    def test_without_figures_the_result_and_the_faults_are_the_same(self):
+        positions, triangles = ball()
+        plain, quick = add(positions, triangles, "plain"), add(positions, triangles, "quick")
+        select(plain)
+        bpy.ops.mesh.qsmesh_smooth()
+        select(quick)
+        bpy.ops.mesh.qsmesh_smooth(tell_quality=False)
+        self.assert_same_bits(coordinates(quick), coordinates(plain))
+        positions[12, 1] = numpy.nan
+        quick.data.vertices.foreach_set("co", positions.ravel())
+        self.assert_refused("vertex 12", bpy.ops.mesh.qsmesh_smooth, tell_quality=False)
+
     def test_without_a_mesh_the_operators_are_not_offered(self):
         curve = place(bpy.data.objects.new("curve", bpy.data.curves.new("curve", "CURVE")))
         for operator in operators():
