@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the add-on's zip for this platform, with the native library inside: target/blender/qsmesh-<version>-<platform>.zip.
+"""Makes the add-on's zip for this platform, with the native library inside, and prints its path:
+target/blender/qsmesh-<version>-<platform>.zip.
 
-On Linux the library is linked for glibc 2.17 by zig, so that the zip serves every current distribution; elsewhere by cargo
-alone. Prints the path of the zip.
+On Linux the library is linked for glibc 2.17 by zig, so that the zip serves every current distribution; elsewhere by
+cargo alone.
 """
 
 import os

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The native library, reached through ctypes: a mirror of include/qsmesh.h, and nothing of Blender.
 
-Positions are C-contiguous arrays of shape (vertices, 3), float32 or float64; triangles are uint32 of shape (triangles, 3).
+Positions are C-contiguous arrays of shape (vertices, 3), float32 or float64; triangles are uint32 of shape
+(triangles, 3).
 """
 
 import ctypes

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What operators have in common that change meshes: when they can run, one object after the other, what the user hears."""
+"""What the operators that change meshes have in common: when they can run, object after object, what the user hears."""
 
 from . import outcome, progress, targets
 from .library import LibraryError

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps a mesh symmetric: one side is improved and the other becomes its image; the vertices between slide in the plane."""
+"""Keeps a mesh symmetric: one side is improved and the other becomes its image; vertices between slide in the plane."""
 
 import numpy
 from mathutils.kdtree import KDTree
@@ -70,7 +70,8 @@ class Symmetry:
         images = self.positions.copy()
         images[:, axis] *= -1
         nearest = (tree.find(image) for image in images.tolist())
-        found = numpy.array([number if apart <= self.tolerance else -1 for _, number, apart in nearest], dtype=numpy.int64)
+        found = [number if apart <= self.tolerance else -1 for _, number, apart in nearest]
+        found = numpy.array(found, dtype=numpy.int64)
         # Where several vertices share a place, it is open who belongs to whom.
         mutual = (found >= 0) & (found[found] == numpy.arange(len(found)))
         return numpy.where(mutual, found, -1)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives a mesh the triangles that came out of the library. Only faces that are new are made; all else stays in place, so
-that every layer of Blender's, known here or not, is carried along by Blender itself."""
+"""Gives a mesh the triangles that came out of the library. Only faces that are new are made; all else stays in place,
+so that every layer of Blender's, known here or not, is carried along by Blender itself."""
 
 import bmesh
 import numpy
@@ -83,7 +83,8 @@ class _Change:
         before, sources = self.found.triangles, self.improved.triangle_source
         new = self.improved.vertex_source[self.improved.triangles]
         same = (new == before[sources]).all(axis=1)
-        places = [(self.faces[old], place) for place, old in zip(numpy.flatnonzero(same).tolist(), sources[same].tolist())]
+        staying = zip(numpy.flatnonzero(same).tolist(), sources[same].tolist())
+        places = [(self.faces[old], place) for place, old in staying]
         doomed = numpy.setdiff1d(numpy.arange(len(before)), sources[same]).tolist()
         doomed = {frozenset(before[old].tolist()): self.faces[old] for old in doomed}
         for place in numpy.flatnonzero(~same).tolist():
@@ -93,7 +94,7 @@ class _Change:
         return places, list(doomed.values())
 
     def _new_face(self, numbers, place):
-        """A face like the one in whose place it comes. Edges that are new bear no mark: marked ones are never exchanged."""
+        """A face like the one in whose place it comes. New edges bear no mark: marked ones are never exchanged."""
         corners = [self.vertices[number] for number in numbers]
         example = self.faces[int(self.improved.triangle_source[place])]
         face = self.edited.faces.new(corners, example)

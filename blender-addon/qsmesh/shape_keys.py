@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Coordinates of the active shape key, and what its relative keys do when it changes: they go along, as in Edit Mode."""
+"""Coordinates of the active shape key, and of its relative keys, which go along when it changes, as in Edit Mode."""
 
 import numpy
 

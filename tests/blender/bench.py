@@ -1,8 +1,8 @@
 """What Blender costs: the operator in Object Mode against the library's own call, in one run, on one mesh.
 
-Run in a Blender as a Python module, with the add-on's zip and a PLY mesh as arguments. The native call is the one that the
-operator makes: the same buffers, options and report; beside them stand both without a report, which is where most of the time
-goes. Prints the medians and their ratios to the native call; the operator's is to stay below 3, with and without.
+Run in a Blender as a Python module, with the add-on's zip and a PLY mesh as arguments. The native call is the one that
+the operator makes: the same buffers, options and report; beside them stand both without a report, which is where most
+of the time goes. Prints the medians and their ratios; the operator's is to stay below 3, with and without.
 """
 
 import importlib

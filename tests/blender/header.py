@@ -1,4 +1,4 @@
-"""Compares library.py of the add-on with include/qsmesh.h: struct sizes, offsets and sizes of fields, values of constants.
+"""Compares library.py of the add-on with include/qsmesh.h: sizes of structs, places of fields, values of constants.
 
 Argument: the add-on's zip. The C compiler is asked, so what is compared is what the library's callers in C get.
 """

@@ -1,7 +1,7 @@
 """Runs inside a Blender, of whichever version: installs the add-on's zip as a user would, then runs the cases.
 
-Arguments after "--": the zip, the qsmesh command, a mesh file, the way to install ("addon" or "extension"), and, if only some
-cases are to run, their names, such as cases.test_smooth.
+After "--": the zip, the qsmesh command, a mesh file, the way to install ("addon" or "extension"), and, if only
+some cases are to run, their names, such as cases.test_smooth.
 """
 
 import pathlib

@@ -1,9 +1,11 @@
-"""Reads binary little-endian PLY files of triangles with float coordinates, as the horse and the command's demo are."""
+"""Reads and writes binary little-endian PLY files of triangles, as the horse and the command's demo are."""
 
 import numpy
 
-KINDS = {"float": "<f4", "float32": "<f4", "double": "<f8", "float64": "<f8", "uchar": "u1", "uint8": "u1", "char": "i1",
-         "short": "<i2", "ushort": "<u2", "int": "<i4", "int32": "<i4", "uint": "<u4", "uint32": "<u4"}
+KINDS = {
+    "float": "<f4", "float32": "<f4", "double": "<f8", "float64": "<f8", "uchar": "u1", "uint8": "u1", "char": "i1",
+    "short": "<i2", "ushort": "<u2", "int": "<i4", "int32": "<i4", "uint": "<u4", "uint32": "<u4",
+}
 
 
 def read(path):
