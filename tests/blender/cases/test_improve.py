@@ -174,6 +174,12 @@ class Improve(Situation):
         self.assertLessEqual(rest, {tuple(place) for place in coordinates(self.obj).tolist()})
         self.assertLess(len(self.mesh.vertices), len(self.positions))
 
+    def test_hidden_faces_are_not_taken_up_even_where_their_vertices_show(self):
+        for hidden, cured in ((True, False), (False, True)):
+            self.mesh.polygons.foreach_set("hide", numpy.full(len(self.triangles), hidden))
+            bpy.ops.mesh.qsmesh_improve(iterations=0, **CURE)
+            self.assertEqual(len(self.mesh.vertices) < len(self.positions), cured)
+
     def test_marked_edges_stay_where_triangles_beside_them_change(self):
         self.attribute("was", "INT", "POINT", numpy.arange(len(self.positions), dtype=numpy.int32))
         sides = {}

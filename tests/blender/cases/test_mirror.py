@@ -37,6 +37,15 @@ class Mirror(Situation):
             inside = part & ~self.border
             self.assert_some_moved(coordinates(obj)[inside], self.positions[inside])
 
+    def test_the_middle_keeps_its_distance_from_the_plane_to_the_bit(self):
+        almost = self.positions.copy()
+        almost[self.middle, 0] = numpy.linspace(-1e-6, 1e-6, 9)[[4, 0, 7, 2, 8, 1, 6, 3, 5]]
+        obj = add(almost, self.quads)
+        bpy.ops.mesh.qsmesh_smooth(mirror={"X"})
+        inside = self.middle & ~self.border
+        self.assert_some_moved(coordinates(obj)[inside], almost[inside])
+        self.assert_same_bits(coordinates(obj)[self.middle, 0], almost[self.middle, 0])
+
     def test_two_axes(self):
         positions = symmetric(self.positions, 1, self.upside, self.rows < MIDDLE, self.rows == MIDDLE)
         obj = add(positions, self.quads)
