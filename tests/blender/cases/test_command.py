@@ -69,8 +69,12 @@ class Command(Situation):
     def test_improve_gives_the_same_vertices_and_triangles(self):
         positions, triangles = real_mesh()
         obj = add(positions, triangles)
-        self.assertEqual(bpy.ops.mesh.qsmesh_improve(use_features=False), {"FINISHED"})
-        expected, expected_triangles, report = command(positions, triangles, "improve", "--feature-angle=off")
+        options = {"tail_edge_ratio": 2.6, "tail_min_angle": numpy.radians(30), "tail_max_angle": numpy.radians(115)}
+        self.assertEqual(bpy.ops.mesh.qsmesh_improve(use_features=False, flips=True, **options), {"FINISHED"})
+        expected, expected_triangles, report = command(
+            positions, triangles, "improve", "--feature-angle=off", "--tail-edge-ratio=2.6", "--tail-min-angle=30",
+            "--tail-max-angle=115", "--flips",
+        )
         self.assertLess(len(expected), len(positions), "the tail of this mesh asks for no removal")
         self.assert_same_bits(coordinates(obj), expected)
         # The command sorts triangles by the faces that its file keeps; corners stay in their order.
