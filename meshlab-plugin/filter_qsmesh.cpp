@@ -337,9 +337,15 @@ double shape(const Packed& packed, size_t face) {
     return measurement.shape.mean;
 }
 
-void writeFaceQuality(MeshModel& model, const Packed& packed) {
+std::vector<Scalarm> shapes(const Packed& packed) {
+    std::vector<Scalarm> result;
+    for (size_t face = 0; face < packed.faces.size(); ++face) result.push_back(Scalarm(shape(packed, face)));
+    return result;
+}
+
+void writeFaceQuality(MeshModel& model, const Packed& packed, const std::vector<Scalarm>& quality) {
     model.updateDataMask(MeshModel::MM_FACEQUALITY);
-    for (size_t face = 0; face < packed.faces.size(); ++face) packed.faces[face]->Q() = Scalarm(shape(packed, face));
+    for (size_t face = 0; face < packed.faces.size(); ++face) packed.faces[face]->Q() = quality[face];
 }
 
 // ---- report ----
@@ -474,9 +480,13 @@ std::map<std::string, QVariant> FilterQsmesh::smooth(MeshModel& model, const Ric
     if (list.getBool("selected")) lock = lockUnselected(model.cm, packed);
     if (!lock.empty()) options.vertex_lock = lock.data();
     const qsm_report report = improve(packed, options, callback);
+    // Whatever may fail comes before the layer changes.
+    const bool withQuality = list.getBool("face_quality");
+    std::vector<Scalarm> quality;
+    if (withQuality) quality = shapes(packed);
+    if (withQuality) writeFaceQuality(model, packed, quality);
     unpack(packed);
     updateBoxAndNormals(model);
-    if (list.getBool("face_quality")) writeFaceQuality(model, packed);
     for (const std::string& line : logLines(report)) say(line);
     return outputValues(report);
 }
@@ -500,6 +510,8 @@ bool FilterQsmesh::applyFilter(QAction* action, MeshDocument& document, const Ri
         return true;
     } catch (const MLException& error) {
         errorMessage = QString::fromLocal8Bit(error.what());
+        // meshlabserver shows the log alone.
+        say(error.what());
         return false;
     }
 }
