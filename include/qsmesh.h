@@ -44,13 +44,22 @@ typedef int32_t qsm_ideal;
 typedef int32_t qsm_boundary;
 
 /**
+ * Order in which a sweep visits the vertices: QSM_ORDER_COLORS or QSM_ORDER_INDEX.
+ */
+typedef int32_t qsm_order;
+
+/**
  * Answer of the progress callback: QSM_CONTINUE or QSM_CANCEL. Any other value counts as QSM_CANCEL.
  */
 typedef int32_t qsm_flow;
 
 /**
- * Settings of qsm_smooth_f32 and qsm_smooth_f64. Set up with qsm_options_init, then change what you like. The library
- * keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
+ * Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
+ * you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
+ *
+ * The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
+ * look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
+ * it has no meaning.
  */
 typedef struct qsm_options {
     /**
@@ -58,7 +67,7 @@ typedef struct qsm_options {
      */
     size_t struct_size;
     /**
-     * Sweeps over the mesh, 0 to 10000. Default 2.
+     * Sweeps over the mesh, 0 to 10000. No meaning for qsm_collapse_tails_*. Default 2.
      */
     uint32_t iterations;
     /**
@@ -73,6 +82,15 @@ typedef struct qsm_options {
      * Treatment of boundary vertices. Default QSM_BOUNDARY_FIXED.
      */
     qsm_boundary boundary;
+    /**
+     * Order of the visits. Default QSM_ORDER_COLORS.
+     */
+    qsm_order order;
+    /**
+     * Threads at most, 0 to 1024; 0: as many as the machine runs at once. Small meshes stay on one. The result is the
+     * same for any number. Default 0.
+     */
+    uint32_t threads;
     /**
      * Over-relaxation of each move, above 0 and at most 2. Default 1.2.
      */
@@ -124,6 +142,36 @@ typedef struct qsm_options {
      * Handed to progress as it is. Default NULL.
      */
     void *user;
+    /**
+     * Longest over shortest edge above which a triangle belongs to the tail, above 1 and finite. Default 3.
+     */
+    double tail_edge_ratio;
+    /**
+     * Smallest angle in degrees below which a triangle belongs to the tail, above 0 and below 60. Default 20.
+     */
+    double tail_min_angle;
+    /**
+     * Largest angle in degrees above which a triangle belongs to the tail, above 60 and below 180. Default 130.
+     */
+    double tail_max_angle;
+    /**
+     * How often one triangle is taken up at most, 1 to 1000. Default 3.
+     */
+    uint32_t tail_attempts;
+    /**
+     * 1: before the tail is treated, flip every interior edge that is no feature where the Delaunay criterion in the
+     * tangent plane and the normals allow it. 0: flip edges only to cure a triangle. Default 0.
+     */
+    int32_t flips;
+    /**
+     * Operations on the tail that are carried out at most, over the whole mesh; 0: no bound. Default 0.
+     */
+    size_t tail_operations;
+    /**
+     * One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail,
+     * but may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
+     */
+    const uint8_t *triangle_mask;
 } qsm_options;
 
 /**
@@ -284,7 +332,7 @@ typedef struct qsm_kept {
  */
 typedef struct qsm_seconds {
     /**
-     * Everything but measuring.
+     * Everything but measuring. After qsm_collapse_tails_* the same as tail: the rest is not told apart.
      */
     double total;
     /**
@@ -322,7 +370,7 @@ typedef struct qsm_report {
      */
     uint64_t offender;
     /**
-     * Name of the argument or option at fault, as in this header; NULL where none is. Lives for ever.
+     * Name of the argument, option or map at fault, as in this header; NULL where none is. Lives for ever.
      */
     const char *offender_name;
     /**
@@ -346,11 +394,12 @@ typedef struct qsm_report {
      */
     double volume_relative_change;
     /**
-     * Vertices that have moved.
+     * Vertices that the sweeps have moved. This and all up to moves_refused tells of the sweeps alone, and is 0 after
+     * qsm_collapse_tails_*, which makes none.
      */
     size_t moved;
     /**
-     * Vertices that have not, by reason.
+     * Vertices that the sweeps have not moved, by reason.
      */
     struct qsm_kept kept;
     /**
@@ -370,15 +419,126 @@ typedef struct qsm_report {
      */
     size_t moves_refused;
     /**
-     * Greatest distance of a moved vertex from the original surface, in the units of the coordinates. Found by a local
-     * search, so never less than the true distance.
+     * Greatest distance of a moved vertex from the original surface, and of a removed one from the triangles that took
+     * its place, in the units of the coordinates. Found by a local search, so never less than the true distance.
      */
     double max_deviation;
     /**
      * Where the time went.
      */
     struct qsm_seconds seconds;
+    /**
+     * Triangles in the tail when its treatment began. This and all that follows is 0 after qsm_smooth_*.
+     */
+    size_t tails_before;
+    /**
+     * Triangles in the tail when its treatment ended, each of them a leftover.
+     */
+    size_t tails_after;
+    /**
+     * Triangles cured by moving vertices alone.
+     */
+    size_t tail_moved;
+    /**
+     * Edges collapsed.
+     */
+    size_t collapsed;
+    /**
+     * Vertices removed whose triangles were made anew without them.
+     */
+    size_t removed;
+    /**
+     * Edges flipped to cure a triangle.
+     */
+    size_t flipped;
+    /**
+     * Edges flipped because flips was 1.
+     */
+    size_t general_flips;
+    /**
+     * Vertices that are no longer there.
+     */
+    size_t vertices_removed;
+    /**
+     * Triangles that are no longer there.
+     */
+    size_t triangles_removed;
+    /**
+     * Share of the triangles that went in which have kept their three vertices, 0 to 1.
+     */
+    double triangles_unchanged;
 } qsm_report;
+
+/**
+ * What is wrong with a triangle: one of the constants QSM_DEFECT_DEGENERATE to QSM_DEFECT_SMALL_ANGLE.
+ */
+typedef int32_t qsm_defect;
+
+/**
+ * Why a triangle could not be cured: one of the constants QSM_REASON_FEATURE to QSM_REASON_NO_GAIN.
+ */
+typedef int32_t qsm_reason;
+
+/**
+ * A triangle that is still in the tail.
+ */
+typedef struct qsm_leftover {
+    /**
+     * Its number in the triangles that came out, from 0.
+     */
+    uint32_t triangle;
+    /**
+     * What is wrong with it.
+     */
+    qsm_defect defect;
+    /**
+     * Why it could not be cured.
+     */
+    qsm_reason reason;
+} qsm_leftover;
+
+/**
+ * Where qsm_collapse_tails_* and qsm_improve_* write where everything came from. Set up with qsm_maps_init, then set
+ * the arrays that you want; each may be NULL. How much room an array needs is told by the counts before the call; how
+ * much of it is filled, by the counts after it. What lies behind that keeps its bits, and after a failure everything
+ * does.
+ */
+typedef struct qsm_maps {
+    /**
+     * Size of this struct in bytes. Set by qsm_maps_init; leave it alone.
+     */
+    size_t struct_size;
+    /**
+     * For each vertex that came out, the number of the vertex that went in which it is. Rising, so that an array of
+     * attributes can be brought along in place, from its first entry to its last: a[v] = a[vertex_source[v]]. Room for
+     * as many numbers as vertices go in. NULL: not wanted. Default NULL.
+     */
+    uint32_t *vertex_source;
+    /**
+     * For each triangle that came out, the number of the triangle that went in whose place it took. Not always rising.
+     * Room for as many numbers as triangles go in. NULL: not wanted. Default NULL.
+     */
+    uint32_t *triangle_source;
+    /**
+     * For each corner that came out (3 * triangle + 0, 1 or 2), a corner that went in (numbered likewise) of the same
+     * vertex on the same side of all features, in the triangle in triangle_source if that is known to have one there.
+     * Not always rising. Room for as many numbers as indices go in. NULL: not wanted. Default NULL.
+     */
+    uint32_t *corner_source;
+    /**
+     * Triangles that could not be cured, by rising number. May be NULL if leftover_capacity is 0. Default NULL.
+     */
+    struct qsm_leftover *leftovers;
+    /**
+     * Entries for which leftovers has room. Default 0.
+     */
+    size_t leftover_capacity;
+    /**
+     * Set by the call: triangles that could not be cured. May be more than leftover_capacity; then only the first
+     * leftover_capacity of them are in leftovers.
+     */
+    size_t leftover_count;
+} qsm_maps;
 
 /**
  * A quality parameter of a triangle: one of the constants QSM_EDGE_RATIO to QSM_RADIUS_RATIO.
@@ -492,12 +652,22 @@ typedef int32_t qsm_parameter;
 #define QSM_BOUNDARY_SLIDE 1
 
 /**
+ * By colour, on all threads: no two vertices of one colour have a neighbour in common.
+ */
+#define QSM_ORDER_COLORS 0
+
+/**
+ * By vertex index, on one thread.
+ */
+#define QSM_ORDER_INDEX 1
+
+/**
  * Go on.
  */
 #define QSM_CONTINUE 0
 
 /**
- * Stop: the call returns QSM_CANCELLED and the positions stay as they were.
+ * Stop: the call returns QSM_CANCELLED and all buffers stay as they were.
  */
 #define QSM_CANCEL 1
 
@@ -527,6 +697,61 @@ typedef int32_t qsm_parameter;
 #define QSM_RADIUS_RATIO 4
 
 /**
+ * It names a vertex twice, or has no area.
+ */
+#define QSM_DEFECT_DEGENERATE 0
+
+/**
+ * Its longest edge is too long for its shortest.
+ */
+#define QSM_DEFECT_NEEDLE 1
+
+/**
+ * Its largest angle is too large.
+ */
+#define QSM_DEFECT_CAP 2
+
+/**
+ * Its smallest angle is too small, and nothing else is wrong.
+ */
+#define QSM_DEFECT_SMALL_ANGLE 3
+
+/**
+ * The cure would have moved or crossed a feature.
+ */
+#define QSM_REASON_FEATURE 0
+
+/**
+ * The cure would have moved or removed a vertex locked through vertex_lock.
+ */
+#define QSM_REASON_LOCKED 1
+
+/**
+ * The cure would have moved the boundary.
+ */
+#define QSM_REASON_BOUNDARY 2
+
+/**
+ * The neighbourhood is no disc, or the cure would have made it none.
+ */
+#define QSM_REASON_TOPOLOGY 3
+
+/**
+ * The cure would have passed max_deviation.
+ */
+#define QSM_REASON_DEVIATION 4
+
+/**
+ * The cure would have folded the surface or bent it sharply, or left a triangle below quality_floor.
+ */
+#define QSM_REASON_FOLD 5
+
+/**
+ * Nothing made the worst triangle of the neighbourhood better, or tail_attempts or tail_operations was reached.
+ */
+#define QSM_REASON_NO_GAIN 6
+
+/**
  * Sets struct_size and every default. Does nothing with NULL.
  */
 void qsm_options_init(struct qsm_options *options);
@@ -540,6 +765,11 @@ void qsm_report_init(struct qsm_report *report);
  * Sets struct_size and everything else to 0. Does nothing with NULL.
  */
 void qsm_measurement_init(struct qsm_measurement *out);
+
+/**
+ * Sets struct_size and everything else to 0 and NULL. Does nothing with NULL.
+ */
+void qsm_maps_init(struct qsm_maps *maps);
 
 /**
  * Improves the triangles of a mesh by moving its vertices.
@@ -577,6 +807,74 @@ qsm_status qsm_smooth_f64(double *positions,
                           size_t index_count,
                           const struct qsm_options *options,
                           struct qsm_report *report);
+
+/**
+ * Cures the triangles that no smoothing can help, because the edges between the vertices force their shape: moves
+ * vertices, flips edges, collapses them and removes vertices, worst triangle first. The mesh may come out with
+ * fewer vertices and triangles than went in.
+ *
+ * positions: as for qsm_smooth_f32. *vertex_count is the number of vertices that go in, and after success the
+ * number of those that came out. The coordinates of these are moved up, in their old order, to the first places;
+ * the bytes between the coordinates of one vertex and the next are neither read nor written, so other attributes of
+ * a vertex stay in their old places until the caller brings them along through vertex_source of maps.
+ * indices: as for qsm_smooth_f32, but changed in place. *index_count is the number of indices that go in, and after
+ * success of those that came out. Triangles that were not touched keep their vertices, order and winding.
+ * In both buffers, what lies behind the new count keeps its bits. Neither count may be NULL.
+ * options: NULL for the defaults. maps: NULL if not wanted. report: NULL if not wanted; measuring is then left out
+ * too.
+ *
+ * Returns QSM_OK, or another status; then buffers, counts and maps are as they were, and the report says what is at
+ * fault. A triangle that could not be cured is no error, but listed in maps with the reason.
+ *
+ * Features and the boundary stay, and locked vertices keep their bits. The enclosed volume of a closed mesh stays as
+ * it is but for rounding to the precision of the buffer. The same input gives the same result.
+ */
+qsm_status qsm_collapse_tails_f32(float *positions,
+                                  size_t *vertex_count,
+                                  size_t stride_bytes,
+                                  uint32_t *indices,
+                                  size_t *index_count,
+                                  const struct qsm_options *options,
+                                  struct qsm_maps *maps,
+                                  struct qsm_report *report);
+
+/**
+ * The same as qsm_collapse_tails_f32 for coordinates in double precision.
+ */
+qsm_status qsm_collapse_tails_f64(double *positions,
+                                  size_t *vertex_count,
+                                  size_t stride_bytes,
+                                  uint32_t *indices,
+                                  size_t *index_count,
+                                  const struct qsm_options *options,
+                                  struct qsm_maps *maps,
+                                  struct qsm_report *report);
+
+/**
+ * qsm_smooth_f32, and then qsm_collapse_tails_f32 for what is left, in one call with the parameters of the latter.
+ * Features, deviations and the original surface are those of the mesh that went in; before, after, max_deviation and
+ * volume_relative_change in the report are those of the whole call.
+ */
+qsm_status qsm_improve_f32(float *positions,
+                           size_t *vertex_count,
+                           size_t stride_bytes,
+                           uint32_t *indices,
+                           size_t *index_count,
+                           const struct qsm_options *options,
+                           struct qsm_maps *maps,
+                           struct qsm_report *report);
+
+/**
+ * The same as qsm_improve_f32 for coordinates in double precision.
+ */
+qsm_status qsm_improve_f64(double *positions,
+                           size_t *vertex_count,
+                           size_t stride_bytes,
+                           uint32_t *indices,
+                           size_t *index_count,
+                           const struct qsm_options *options,
+                           struct qsm_maps *maps,
+                           struct qsm_report *report);
 
 /**
  * Measures the quality of a mesh. Buffers are as for qsm_smooth_f32 and are not changed; out must have been set up

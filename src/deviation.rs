@@ -16,21 +16,25 @@ impl<'a> Surface<'a> {
     }
 
     /// Distance from `point`, where vertex `v` has come to lie, to the original surface. Only triangles around the
-    /// original vertex nearest to the point are looked at, found by walking from `v`: never less than the true distance.
+    /// original vertex nearest to the point are looked at, found by walking from `v`, and those around its ring, hubs left
+    /// out, if the surface comes nearer to the point towards the rim: never less than the true distance.
     pub fn distance(&self, v: u32, point: DVec3) -> f64 {
         let nearest = self.walk(v, point);
-        let mut least = self.distance_to_star(nearest, point);
-        for &r in self.stars.ring(nearest) {
-            least = least.min(self.distance_to_star(r, point));
+        let Reach { mut least, rim } = self.distance_to_star(nearest, point);
+        if least >= rim * (1.0 - 1e-9) {
+            for &r in self.stars.ring(nearest).iter().filter(|&&r| !self.stars.is_hub(r)) {
+                least = least.min(self.distance_to_star(r, point).least);
+            }
         }
         least.sqrt()
     }
 
-    /// From vertex to vertex as long as one of the ring is nearer to the point.
+    /// From vertex to vertex, hubs left out, as long as one of the ring is nearer to the point.
     fn walk(&self, mut v: u32, point: DVec3) -> u32 {
         loop {
             let square = |r: u32| self.mesh.positions[r as usize].distance_squared(point);
-            let next = self.stars.ring(v).iter().copied().min_by(|&a, &b| square(a).total_cmp(&square(b)));
+            let ring = self.stars.ring(v).iter().copied().filter(|&r| !self.stars.is_hub(r));
+            let next = ring.min_by(|&a, &b| square(a).total_cmp(&square(b)));
             match next {
                 Some(next) if square(next) < square(v) => v = next,
                 _ => return v,
@@ -38,23 +42,32 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Squared distance to the original triangles around `v`.
-    fn distance_to_star(&self, v: u32, point: DVec3) -> f64 {
+    /// Squared distances to the original triangles around `v` and to their rim.
+    fn distance_to_star(&self, v: u32, point: DVec3) -> Reach {
         let p = |k: u32| self.mesh.positions[k as usize];
         let ring = self.stars.ring(v);
         let turn = if self.stars.flanks(v, 0).is_some() { ring.first() } else { None };
-        let rim = ring.iter().chain(turn).map(|&r| p(r));
-        let mut least = p(v).distance_squared(point);
-        for (a, b) in rim.clone().zip(rim.skip(1)) {
-            least = least.min(nearest_on_triangle(point, [p(v), a, b]).distance_squared(point));
+        let around = ring.iter().chain(turn).map(|&r| p(r));
+        let mut reach = Reach { least: p(v).distance_squared(point), rim: f64::INFINITY };
+        for (a, b) in around.clone().zip(around.skip(1)) {
+            reach.least = reach.least.min(nearest_on_triangle(point, [p(v), a, b]).distance_squared(point));
+            reach.rim = reach.rim.min(nearest_on_segment(point, a, b).distance_squared(point));
         }
-        least
+        reach
     }
+}
+
+/// Squared distances from a point to a star.
+struct Reach {
+    /// To its triangles.
+    least: f64,
+    /// To its rim.
+    rim: f64,
 }
 
 /// The point of a triangle nearest to `point`: the foot of the perpendicular, if it falls inside, else the nearest point
 /// of the sides.
-fn nearest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+pub(crate) fn nearest_on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
     let square = normal.length_squared();
     let inside = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(normal) >= 0.0;

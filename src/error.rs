@@ -37,6 +37,13 @@ pub enum Error {
         /// Vertices in the mesh.
         vertex_count: usize,
     },
+    /// [`TailOptions::mask`](crate::TailOptions::mask) is neither empty nor as long as the triangles.
+    MaskLength {
+        /// Entries found.
+        found: usize,
+        /// Triangles in the mesh.
+        triangle_count: usize,
+    },
     /// A marked feature edge names a vertex that does not exist.
     FeatureEdgeOutOfRange {
         /// Position in the list of marked edges, from 0.
@@ -70,6 +77,9 @@ impl fmt::Display for Error {
             Self::BadOption { name, value } => write!(f, "option {name} has the unusable value {value}"),
             Self::LockLength { found, vertex_count } => {
                 write!(f, "the vertex mask has {found} entries for {vertex_count} vertices")
+            }
+            Self::MaskLength { found, triangle_count } => {
+                write!(f, "the triangle mask has {found} entries for {triangle_count} triangles")
             }
             Self::FeatureEdgeOutOfRange { edge, index, vertex_count } => {
                 write!(f, "feature edge {edge} names vertex {index}, but there are {vertex_count} vertices")

@@ -8,20 +8,25 @@ mod features;
 #[allow(unsafe_code, non_camel_case_types)]
 mod ffi;
 mod guard;
+mod improve;
 mod memory;
 mod mesh;
 mod options;
+mod preparation;
 pub mod progress;
 pub mod quality;
 mod report;
 mod smooth;
 mod star;
 mod sweep;
+mod tail;
 
 pub use error::Error;
+pub use improve::{Improvement, collapse_tails, improve};
 pub use mesh::Coordinate;
-pub use options::{Boundary, Constraints, Ideal, Options, Plane};
+pub use options::{Boundary, Constraints, Ideal, Options, Order, Plane};
 pub use progress::{Flow, Progress};
 pub use quality::{Distribution, Measurement, Parameter, histogram, measure};
 pub use report::{Kept, Report, Seconds};
 pub use smooth::smooth;
+pub use tail::{Defect, Leftover, Reason, Sources, TailOptions, TailReport};

@@ -33,6 +33,17 @@ pub enum Boundary {
     Slide,
 }
 
+/// Order in which a sweep visits the stars. Each star sees what its neighbours visited before have become.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Order {
+    /// By colour: no two stars of one colour share a vertex, so threads can visit them at once; the result does not
+    /// depend on the number of threads.
+    #[default]
+    Colors,
+    /// By vertex index, the paper's "Gentle Enhancement Algorithm". One thread.
+    Index,
+}
+
 /// Settings of [`smooth`](crate::smooth). Everything is free of scale but `max_deviation`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
@@ -55,10 +66,15 @@ pub struct Options {
     pub feature_angle: Option<f64>,
     /// Boundary vertices. Default [`Boundary::Fixed`].
     pub boundary: Boundary,
+    /// Order of the visits. Default [`Order::Colors`].
+    pub order: Order,
+    /// Threads at most, 0 to 1,024; 0: as many as the machine runs at once. Small meshes stay on one. The result is
+    /// the same for any number. Default 0.
+    pub threads: u32,
     /// Greatest distance of a vertex from the original surface, in the units of the coordinates, at least 0;
     /// `None`: no bound. Default `None`.
     pub max_deviation: Option<f64>,
-    /// Fill `before`, `after` and `max_deviation` of the report. Costs about as much as a sweep. Default true.
+    /// Fill `before`, `after` and `max_deviation` of the report. Costs as much as several sweeps. Default true.
     pub measure: bool,
 }
 
@@ -74,6 +90,8 @@ impl Default for Options {
             quality_floor: 0.5,
             feature_angle: Some(30.0),
             boundary: Boundary::default(),
+            order: Order::default(),
+            threads: 0,
             max_deviation: None,
             measure: true,
         }
@@ -101,6 +119,9 @@ impl Options {
         }
         if !(0.0..=1.0).contains(&self.quality_floor) {
             return reject("quality_floor", self.quality_floor);
+        }
+        if self.threads > 1024 {
+            return reject("threads", f64::from(self.threads));
         }
         match self.feature_angle {
             Some(angle) if !(angle > 0.0 && angle < 180.0) => reject("feature_angle", angle),

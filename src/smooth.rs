@@ -6,14 +6,14 @@ use glam::DVec3;
 
 use crate::deviation::Surface;
 use crate::error::Error;
-use crate::features::{Features, Role};
+use crate::features::Role;
 use crate::memory;
-use crate::mesh::{Coordinate, Mesh, Stars, repeats_a_vertex};
+use crate::mesh::{Coordinate, repeats_a_vertex};
 use crate::options::{Constraints, Options};
+use crate::preparation::Preparation;
 use crate::progress::{self, Progress};
 use crate::quality::Measurement;
 use crate::report::{Kept, Report, Seconds};
-use crate::star::Modelling;
 use crate::sweep::{self, Outcome, Surroundings, Tally};
 
 /// Improves the triangles of a mesh by moving its vertices.
@@ -34,39 +34,11 @@ pub fn smooth<T: Coordinate>(
     constraints: &Constraints<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
-    options.validate()?;
-    check_constraints(constraints, positions.len())?;
+    let prepared = Preparation::new(positions, triangles, options, constraints)?;
     progress::tell(progress, 0.0)?;
-    let clock = Instant::now();
-    let mesh = Mesh::new(positions, triangles)?;
-    let stars = Stars::new(&mesh)?;
-    let adjacency = clock.elapsed().as_secs_f64();
-    let features = Features::new(&mesh, &stars, options, constraints)?;
-    let features_done = clock.elapsed().as_secs_f64();
-
-    let modelling = Modelling::new(options);
-    let surroundings = Surroundings {
-        mesh: &mesh,
-        stars: &stars,
-        features: &features,
-        modelling: &modelling,
-        floor: options.quality_floor,
-        keeps_shape: options.feature_angle.is_some(),
-        relaxation: options.relaxation,
-        max_deviation: options.max_deviation.map(|bound| bound / mesh.unit),
-    };
-    let mut new = memory::copied(&mesh.positions)?;
-    let mut outcomes = memory::filled(Outcome::Unvisited, new.len())?;
-    let tally = sweep::run(&surroundings, &mut new, &mut outcomes, options.iterations, progress)?;
-    let total = clock.elapsed().as_secs_f64();
-
-    let mut report = count(&surroundings, &new, &outcomes, tally);
-    report.seconds =
-        Seconds { total, adjacency, features: features_done - adjacency, sweeps: total - features_done, tail: 0.0 };
-    if options.measure {
-        measure_into(&mut report, &surroundings, &new)?;
-    }
+    let (new, report) = sweeps(&prepared, options, progress)?;
     progress::tell(progress, 1.0)?;
+    let mesh = &prepared.mesh;
     for ((old, &new), stored) in mesh.positions.iter().zip(&new).zip(positions) {
         if *old != new {
             *stored = mesh.stored(new);
@@ -75,17 +47,26 @@ pub fn smooth<T: Coordinate>(
     Ok(report)
 }
 
-fn check_constraints(constraints: &Constraints<'_>, vertex_count: usize) -> Result<(), Error> {
-    let found = constraints.locked.len();
-    if found != 0 && found != vertex_count {
-        return Err(Error::LockLength { found, vertex_count });
+/// The sweeps over a prepared mesh: new positions, and the report.
+pub(crate) fn sweeps(
+    prepared: &Preparation<'_>,
+    options: &Options,
+    progress: &mut Progress<'_>,
+) -> Result<(Vec<DVec3>, Report), Error> {
+    let clock = Instant::now();
+    let around = prepared.surroundings(options);
+    let mut new = memory::copied(&prepared.mesh.positions)?;
+    let mut outcomes = memory::filled(Outcome::Unvisited, new.len())?;
+    let tally = sweep::run(&around, &mut new, &mut outcomes, options.iterations, progress)?;
+    let sweeps = clock.elapsed().as_secs_f64();
+
+    let mut report = count(&around, &new, &outcomes, tally);
+    let (adjacency, features) = (prepared.adjacency, prepared.finding);
+    report.seconds = Seconds { total: adjacency + features + sweeps, adjacency, features, sweeps, tail: 0.0 };
+    if options.measure {
+        measure_into(&mut report, &around, &new)?;
     }
-    for (edge, ends) in constraints.feature_edges.iter().enumerate() {
-        if let Some(&index) = ends.iter().find(|&&v| v as usize >= vertex_count) {
-            return Err(Error::FeatureEdgeOutOfRange { edge, index, vertex_count });
-        }
-    }
-    Ok(())
+    Ok((new, report))
 }
 
 /// Counts what became of each vertex.

@@ -121,6 +121,16 @@ fn c89_host_is_told_of_every_misuse() {
 }
 
 #[test]
+fn c89_host_gets_smaller_meshes_and_where_they_came_from() {
+    run_everywhere(C_COMPILERS, C89, &["tests/c/tails_c89.c", "tests/c/spoilt.c", "tests/c/torus.c"]);
+}
+
+#[test]
+fn c89_host_is_told_of_every_misuse_with_tails() {
+    run_everywhere(C_COMPILERS, C89, &["tests/c/tails_misuse_c89.c", "tests/c/spoilt.c", "tests/c/torus.c"]);
+}
+
+#[test]
 fn cpp17_host_smooths_vertices_with_attributes() {
     run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/smooth_cpp17.cpp", "tests/c/torus.c"]);
 }
@@ -129,12 +139,22 @@ fn cpp17_host_smooths_vertices_with_attributes() {
 fn c_programs_mean_the_same_in_cpp17() {
     run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/smooth_c89.c", "tests/c/torus.c"]);
     run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/misuse_c89.c", "tests/c/torus.c"]);
+    run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/tails_c89.c", "tests/c/spoilt.c", "tests/c/torus.c"]);
+    run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/tails_misuse_c89.c", "tests/c/spoilt.c", "tests/c/torus.c"]);
 }
 
 #[test]
 fn example_moves_the_middle_vertex() {
     let printed = run_everywhere(C_COMPILERS, C89, &["examples/smooth.c"]);
     assert!(printed.starts_with("1 vertices moved, "), "it printed: {printed}");
+}
+
+#[test]
+fn example_loses_a_vertex_and_keeps_its_colours() {
+    let printed = run_everywhere(C_COMPILERS, C89, &["examples/improve.c"]);
+    assert!(printed.starts_with("7 -> 6 vertices, 10 -> 8 triangles, 0 left"), "it printed: {printed}");
+    assert!(printed.contains("vertex 0:  1.00  0.00  0.00, red\n"), "it printed: {printed}");
+    assert!(printed.contains("triangle 7: 0 3 5, material 8\n"), "it printed: {printed}");
 }
 
 #[test]
@@ -146,8 +166,10 @@ fn memory_is_used_as_it_should_be() {
         return;
     }
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for source in ["tests/c/smooth_c89.c", "tests/c/misuse_c89.c"] {
-        let program = build(folder.path(), C_COMPILERS[0], C89, &[source, "tests/c/torus.c"], Linkage::Shared);
+    let sources = ["smooth_c89.c", "misuse_c89.c", "tails_c89.c", "tails_misuse_c89.c"];
+    for source in sources.map(|name| format!("tests/c/{name}")) {
+        let linked = [source.as_str(), "tests/c/spoilt.c", "tests/c/torus.c"];
+        let program = build(folder.path(), C_COMPILERS[0], C89, &linked, Linkage::Shared);
         let checked = ["--quiet", "--error-exitcode=9", "--leak-check=full", "--show-leak-kinds=definite"];
         let output = host("valgrind").args(checked).arg(program).output().expect("valgrind starts");
         succeed(&output, &format!("{source} under valgrind"));

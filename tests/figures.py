@@ -36,6 +36,23 @@ MESHES = [
     ("nasty_dup.off", [], {"nan": 0}),
     ("nasty_nonman.off", [], {"nan": 0}),
 ]
+# The same with the tail treated. "removed" and "unchanged" are shares of the vertices and of the triangles.
+FINE = ["--tail-min-angle", "30", "--tail-max-angle", "115", "--tail-edge-ratio", "2.6", *OFF]
+CURED = {"amin": ">20", "amax": 130, "AR_max": 3.0, "removed": 0.001, "unchanged": ">0.997"}
+TAILS = [
+    ("horse.ply", OFF, {**CURED, "H_max": 0.004, "selfint": 3}),
+    ("mc_tangle.ply", [], {**CURED, "selfint": 0}),
+    ("plane_graded.off", [], {"amin": ">17.5", "unchanged": ">0.98", "selfint": 0}),
+    ("rockerarm.obj", [], {"amin": ">18", "H_max": 0.002, "selfint": 0}),
+    ("fandisk.obj", [], {"H_max": 0.0010, "selfint": 0}),
+    ("horse.ply", FINE, {"lt30": 0.0004, "unchanged": ">0.975", "selfint": 3}),
+    ("mc_tangle.ply", FINE, {"lt30": 0.0012, "unchanged": ">0.93", "selfint": 0}),
+    ("horse.ply", [], {"selfint": 3}),
+    ("nasty_zeroarea.off", [], {}),
+    ("nasty_zeroarea.off", OFF, {}),
+    ("nasty_dup.off", [], {}),
+    ("nasty_nonman.off", [], {}),
+]
 # In all of them these hold too.
 ALWAYS = {"nan": 0}
 CLOSED = ["horse.ply", "fandisk.obj", "rockerarm.obj", "mc_tangle.ply", "nasty_zeroarea.off"]
@@ -60,9 +77,13 @@ def check(holds, what):
 
 
 def smooth(source, target, options):
+    return run_command("smooth", source, target, options)
+
+
+def run_command(verb, source, target, options):
     """Runs the command; returns its report."""
     result = subprocess.run(
-        [COMMAND, "smooth", source, "-o", target, "--json", *options], capture_output=True, text=True, check=False
+        [COMMAND, verb, source, "-o", target, "--json", *options], capture_output=True, text=True, check=False
     )
     if result.returncode:
         raise RuntimeError(f"{source}: {result.stderr.strip()}")
@@ -162,6 +183,130 @@ def check_promises(ruler, folder, name, options):
     check(worst[1] >= min(worst[0], FLOOR) * (1 - 1e-9), f"{label}: worst shape {worst[0]:.4g} -> {worst[1]:.4g}")
 
 
+def write_numbered(path, positions, triangles):
+    """A PLY file in double precision in which vertices and faces carry their numbers."""
+    import numpy
+
+    vertices = numpy.empty(len(positions), [("place", "<f8", 3), ("id", "<i4")])
+    vertices["place"], vertices["id"] = positions, numpy.arange(len(positions))
+    faces = numpy.empty(len(triangles), FACE)
+    faces["count"], faces["corners"], faces["id"] = 3, triangles, numpy.arange(len(triangles))
+    header = [
+        "ply", "format binary_little_endian 1.0",
+        f"element vertex {len(vertices)}", *(f"property double {axis}" for axis in "xyz"), "property int id",
+        f"element face {len(faces)}", "property list uchar int vertex_indices", "property int id", "end_header", "",
+    ]
+    path.write_bytes("\n".join(header).encode() + vertices.tobytes() + faces.tobytes())
+
+
+FACE = [("count", "u1"), ("corners", "<i4", 3), ("id", "<i4")]
+
+
+def read_numbered(path):
+    """Positions, vertex numbers, triangles and face numbers of what came of such a file."""
+    import numpy
+
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    counts = [int(line.split()[2]) for line in header.decode().splitlines() if line.startswith("element")]
+    vertices = numpy.frombuffer(body, [("place", "<f8", 3), ("id", "<i4")], counts[0])
+    faces = numpy.frombuffer(body, FACE, counts[1], vertices.nbytes)
+    return vertices["place"], vertices["id"], faces["corners"].astype(int), faces["id"]
+
+
+def turned_to_least(triangles):
+    """Each triangle turned until its least vertex stands first; the winding stays."""
+    import numpy
+
+    turn = (triangles.argmin(1)[:, None] + numpy.arange(3)) % 3
+    return numpy.take_along_axis(triangles, turn, 1)
+
+
+def euler(triangles):
+    """Euler characteristic, boundary edges, non-manifold edges."""
+    import numpy
+
+    edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    unique, count = numpy.unique(edges, axis=0, return_counts=True)
+    used = len(numpy.unique(triangles))
+    return used - len(unique) + len(triangles), int((count == 1).sum()), int((count > 2).sum())
+
+
+def edges_of(triangles):
+    """Each edge once, least vertex first, with up to two of its triangles (the same one twice on the boundary)."""
+    import numpy
+
+    edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    unique, inverse = numpy.unique(edges, axis=0, return_inverse=True)
+    owners = numpy.tile(numpy.arange(len(triangles)), 3)
+    first, second = numpy.empty(len(unique), int), numpy.empty(len(unique), int)
+    first[inverse.ravel()] = owners
+    second[inverse.ravel()[::-1]] = owners[::-1]
+    return unique, first, second
+
+
+def check_boundary_kept(label, positions, triangles, after, vertex_ids):
+    import numpy
+
+    edges, first, second = edges_of(triangles)
+    rim = numpy.unique(edges[first == second])
+    kept = numpy.isin(rim, vertex_ids)
+    same = positions[rim[kept]] == after[numpy.searchsorted(vertex_ids, rim[kept])]
+    check(kept.all() and same.all(), f"{label}: all {len(rim)} boundary vertices keep their bits")
+
+
+def check_creases_kept(label, positions, triangles, after, vertex_ids, new_triangles):
+    """Every edge sharper than 30° is still an edge, and its ends lie on the line that these edges made before."""
+    import numpy
+
+    edges, first, second = edges_of(triangles)
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    normals = numpy.cross(b - a, c - a)
+    normals /= numpy.linalg.norm(normals, axis=1)[:, None]
+    sharp = edges[(normals[first] * normals[second]).sum(1) < numpy.cos(numpy.radians(30))]
+    now = {tuple(edge) for edge in edges_of(vertex_ids[new_triangles])[0].tolist()}
+    lost = sum(tuple(edge) not in now for edge in sharp.tolist())
+    check(lost == 0, f"{label}: {lost} of {len(sharp)} sharp edges lost")
+    ends = numpy.unique(sharp)
+    places = after[numpy.searchsorted(vertex_ids, ends)]
+    start, along = positions[sharp[:, 0]], positions[sharp[:, 1]] - positions[sharp[:, 0]]
+    share = ((places[:, None] - start) * along).sum(2) / (along**2).sum(1)
+    feet = start + numpy.clip(share, 0, 1)[:, :, None] * along
+    distance = numpy.linalg.norm(places[:, None] - feet, axis=2).min(1).max()
+    distance /= numpy.linalg.norm(numpy.ptp(positions, axis=0))
+    check(distance <= 0.001, f"{label}: ends of sharp edges at most {distance:.5f} of the diagonal from their line")
+
+
+def check_tail(ruler, folder, name, options, bounds):
+    """One mesh improved: figures by the ruler, topology, and what the file's own numbers say of the maps."""
+    positions, triangles = ruler.load(str(SHARED / "data" / name))
+    source, target = Path(folder) / "numbered.ply", Path(folder) / "improved.ply"
+    write_numbered(source, positions, triangles)
+    report = run_command("improve", source, target, options)
+    after, vertex_ids, new_triangles, face_ids = read_numbered(target)
+    named = vertex_ids[new_triangles]
+    same = (turned_to_least(named) == turned_to_least(triangles[face_ids])).all(1)
+    figures = ruler.compare(positions, triangles, after, new_triangles, si="selfint" in bounds)
+    figures["removed"] = 1 - len(after) / len(positions)
+    figures["unchanged"] = same.sum() / len(triangles)
+    label = f"{name} improved {' '.join(options)}"
+    for key, bound in {**ALWAYS, **bounds}.items():
+        check(within(figures[key], bound), f"{label}: {key} {figures[key]:.6g} (bound {bound})")
+    check((vertex_ids[1:] > vertex_ids[:-1]).all(), f"{label}: surviving vertices keep their order")
+    check((face_ids[same][1:] > face_ids[same][:-1]).all(), f"{label}: so do untouched triangles")
+    check(abs(report["tail"]["triangles_unchanged"] - figures["unchanged"]) < 1e-9, f"{label}: reported share unchanged")
+    if name.startswith("nasty"):
+        return
+    shape = [euler(t) for t in (triangles, new_triangles)]
+    check(shape[0] == shape[1], f"{label}: Euler characteristic, boundary and non-manifold edges {shape[1]}")
+    if figures["dvol"] is not None:
+        check(abs(figures["dvol"]) <= 1e-12, f"{label}: volume {figures['dvol']:.1e}")
+    check_boundary_kept(label, positions, triangles, after, vertex_ids)
+    if name == "fandisk.obj":
+        check_creases_kept(label, positions, triangles, after, vertex_ids, new_triangles)
+    leftovers = report["tail"]["leftovers"]
+    check(all(one["reason"] for one in leftovers), f"{label}: {len(leftovers)} leftovers, each with its reason")
+
+
 def check_refusal(folder):
     """A NaN is an error that names vertex and line, and no file is written."""
     source, target = SHARED / "data" / "nasty_nan.off", Path(folder) / "refused.off"
@@ -195,6 +340,8 @@ def main():
         else:
             for row in MESHES:
                 check_mesh(ruler, folder, *row)
+            for row in TAILS:
+                check_tail(ruler, folder, *row)
             check_boundary(ruler, folder)
             for name, options in itertools.product(CLOSED, SETTINGS):
                 check_promises(ruler, folder, name, options)

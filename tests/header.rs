@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// Files of the C interface, in the order in which their items are to stand in the header.
-const SOURCES: [&str; 4] = ["status.rs", "options.rs", "report.rs", "mod.rs"];
+const SOURCES: [&str; 5] = ["status.rs", "options.rs", "report.rs", "maps.rs", "mod.rs"];
 
 fn generated() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

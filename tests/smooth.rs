@@ -378,17 +378,34 @@ fn tiny_inputs_give_a_result() {
     assert_eq!(report.moved, 0);
 }
 
-#[test]
-fn a_fan_of_ten_thousand_triangles_ends() {
-    let count = 10_000;
-    let ring = (0..count).map(|i| {
-        let angle = f64::from(i) / f64::from(count) * std::f64::consts::TAU;
-        [angle.cos(), angle.sin(), 0.0]
+/// A cone of thin triangles around one apex.
+fn cone(valence: u32) -> Mesh {
+    let ring = (0..valence).map(|i| {
+        let angle = f64::from(i) / f64::from(valence) * std::f64::consts::TAU;
+        let fold = if i % 2 == 0 { 0.0 } else { 1e-6 };
+        [angle.cos(), angle.sin(), fold]
     });
-    let positions: Vec<_> = std::iter::once([0.3, 0.0, 0.0]).chain(ring).collect();
-    let triangles = (0..count as u32).map(|i| [0, i + 1, (i + 1) % count as u32 + 1]).collect();
-    let mut mesh: Mesh = (positions, triangles);
-    let report = run(&mut mesh, &Options::default());
+    let positions = std::iter::once([0.3, 0.0, 0.5]).chain(ring).collect();
+    (positions, (0..valence).map(|i| [0, i + 1, (i + 1) % valence + 1]).collect())
+}
+
+#[test]
+fn the_apex_of_ten_thousand_triangles_moves() {
+    let mut mesh = cone(10_000);
+    let report = run(&mut mesh, &Options { feature_angle: None, ..Options::default() });
     assert_eq!(report.moved, 1);
     assert!(mesh.0[0][0].abs() < 0.3);
+}
+
+/// With anything done per neighbour in proportion to the valence this would take hours.
+#[test]
+fn a_fan_of_half_a_million_triangles_ends() {
+    let mut mesh = cone(500_000);
+    let options = Options { boundary: Boundary::Slide, max_deviation: Some(1.0), ..Options::default() };
+    let spokes: Vec<[u32; 2]> = (1..=100_000).map(|r| [0, r]).collect();
+    let constraints = Constraints { feature_edges: &spokes, ..Constraints::default() };
+    let report = smooth(&mut mesh.0, &mesh.1, &options, &constraints, &mut silent).expect("a result");
+    assert!(report.feature_edges >= spokes.len(), "{}", report.feature_edges);
+    assert!(report.moved + report.kept.guard >= 400_000, "the rim was visited: {:?}", report.kept);
+    assert!(report.max_deviation.is_finite());
 }

@@ -70,6 +70,11 @@ impl Features {
         self.roles[v as usize]
     }
 
+    /// Whether the edge a–b of the original mesh is a feature inside the surface.
+    pub fn is_feature(&self, stars: &Stars, a: u32, b: u32) -> bool {
+        self.slots.contains_edge(stars, a, b)
+    }
+
     /// The two feature slots in the ring of a crease vertex.
     pub fn crease_ends(&self, stars: &Stars, v: u32) -> [usize; 2] {
         let mut ends = self.slots.of(stars, v);

@@ -39,6 +39,14 @@ impl SlotSet {
         }
     }
 
+    /// Whether the edge a–b is in the set. Both ends know, unless one has no ring; the shorter ring is asked.
+    pub fn contains_edge(&self, stars: &Stars, a: u32, b: u32) -> bool {
+        let (m, n) = (stars.ring(a).len(), stars.ring(b).len());
+        let (v, r) = if n == 0 || m != 0 && m <= n { (a, b) } else { (b, a) };
+        let found = stars.ring(v).iter().position(|&x| x == r);
+        found.is_some_and(|i| self.contains(stars.ring_slots(v).start + i))
+    }
+
     /// Edges in the set.
     pub fn edge_count(&self, stars: &Stars) -> usize {
         let seen = |v: u32| {

@@ -95,6 +95,16 @@ impl Block {
         Err(Failure::of(QSM_OVERLAP, at_fault.name, &fault))
     }
 
+    /// Refuses written memory that overlaps anything else, written or read. The later one of the two is named, where
+    /// what is read counts as later than all that is written.
+    pub fn all_apart(written: &[Self], read: &[Self]) -> Result<(), Failure> {
+        for (at, block) in written.iter().enumerate() {
+            block.apart_from(&written[at + 1..], Blame::Other)?;
+            block.apart_from(read, Blame::Other)?;
+        }
+        Ok(())
+    }
+
     fn overlaps(&self, other: &Self) -> bool {
         let shared_start = self.start.max(other.start);
         let shared_end = (self.start + self.bytes).min(other.start + other.bytes);
@@ -172,5 +182,14 @@ mod tests {
         assert_eq!(fault(positions.apart_from(&[indices(80)], Blame::This)), (QSM_OVERLAP, c"positions"));
         let empty = Block::indices(at(80), 0).unwrap();
         assert!(positions.apart_from(&[empty, Block::object::<u8>(c"options", null(), 0)], Blame::Other).is_ok());
+    }
+    #[test]
+    fn only_what_is_read_may_be_shared() {
+        let [a, b, c] = [64, 128, 132].map(|address| Block::indices(at(address), 3).unwrap());
+        assert!(Block::all_apart(&[a], &[b, c]).is_ok());
+        let named = |name, block: Block| Block { name, ..block };
+        let [first, second] = [named(c"first", b), named(c"second", c)];
+        assert_eq!(fault(Block::all_apart(&[a, first, second], &[])), (QSM_OVERLAP, c"second"));
+        assert_eq!(fault(Block::all_apart(&[a, second], &[first])), (QSM_OVERLAP, c"first"));
     }
 }

@@ -9,8 +9,10 @@ use libc::{c_char, size_t};
 
 use super::status::{Failure, QSM_OK, qsm_status};
 use super::struct_size::Versioned;
+use crate::improve::Improvement;
 use crate::quality::{Distribution, Measurement};
 use crate::report::{Kept, Report, Seconds};
+use crate::tail::TailReport;
 
 /// Size of message in qsm_report, the final 0 byte included.
 // Chosen so that no padding follows: padding would carry bytes of the library's stack to the host.
@@ -107,7 +109,7 @@ pub struct qsm_kept {
 #[repr(C)]
 #[derive(Default)]
 pub struct qsm_seconds {
-    /// Everything but measuring.
+    /// Everything but measuring. After qsm_collapse_tails_* the same as tail: the rest is not told apart.
     pub total: f64,
     /// Validation, and finding the triangles around each vertex.
     pub adjacency: f64,
@@ -130,7 +132,7 @@ pub struct qsm_report {
     /// Number of the first vertex (QSM_NON_FINITE_VERTEX), triangle (QSM_INDEX_OUT_OF_RANGE) or marked edge
     /// (QSM_FEATURE_EDGE_OUT_OF_RANGE) at fault, from 0; QSM_NO_OFFENDER where no element is.
     pub offender: u64,
-    /// Name of the argument or option at fault, as in this header; NULL where none is. Lives for ever.
+    /// Name of the argument, option or map at fault, as in this header; NULL where none is. Lives for ever.
     pub offender_name: *const c_char,
     /// What the call returned.
     pub status: qsm_status,
@@ -142,9 +144,10 @@ pub struct qsm_report {
     pub after: qsm_measurement,
     /// (after - before) / |before| of the signed volume; 0 for a mesh that is not closed.
     pub volume_relative_change: f64,
-    /// Vertices that have moved.
+    /// Vertices that the sweeps have moved. This and all up to moves_refused tells of the sweeps alone, and is 0 after
+    /// qsm_collapse_tails_*, which makes none.
     pub moved: size_t,
-    /// Vertices that have not, by reason.
+    /// Vertices that the sweeps have not moved, by reason.
     pub kept: qsm_kept,
     /// Triangles that were left out because they name a vertex twice.
     pub skipped_triangles: size_t,
@@ -154,11 +157,31 @@ pub struct qsm_report {
     pub moves_halved: size_t,
     /// Visits, over all sweeps, in which no step was acceptable.
     pub moves_refused: size_t,
-    /// Greatest distance of a moved vertex from the original surface, in the units of the coordinates. Found by a local
-    /// search, so never less than the true distance.
+    /// Greatest distance of a moved vertex from the original surface, and of a removed one from the triangles that took
+    /// its place, in the units of the coordinates. Found by a local search, so never less than the true distance.
     pub max_deviation: f64,
     /// Where the time went.
     pub seconds: qsm_seconds,
+    /// Triangles in the tail when its treatment began. This and all that follows is 0 after qsm_smooth_*.
+    pub tails_before: size_t,
+    /// Triangles in the tail when its treatment ended, each of them a leftover.
+    pub tails_after: size_t,
+    /// Triangles cured by moving vertices alone.
+    pub tail_moved: size_t,
+    /// Edges collapsed.
+    pub collapsed: size_t,
+    /// Vertices removed whose triangles were made anew without them.
+    pub removed: size_t,
+    /// Edges flipped to cure a triangle.
+    pub flipped: size_t,
+    /// Edges flipped because flips was 1.
+    pub general_flips: size_t,
+    /// Vertices that are no longer there.
+    pub vertices_removed: size_t,
+    /// Triangles that are no longer there.
+    pub triangles_removed: size_t,
+    /// Share of the triangles that went in which have kept their three vertices, 0 to 1.
+    pub triangles_unchanged: f64,
 }
 
 impl Versioned for qsm_measurement {
@@ -169,7 +192,7 @@ impl Versioned for qsm_measurement {
 
 impl Versioned for qsm_report {
     const NAME: &'static CStr = c"report";
-    const FIRST_SIZE: usize = offset_of!(Self, seconds) + size_of::<qsm_seconds>();
+    const FIRST_SIZE: usize = offset_of!(Self, triangles_unchanged) + size_of::<f64>();
     const IS_OUTPUT: bool = true;
 }
 
@@ -263,6 +286,51 @@ impl From<&Report> for qsm_report {
             moves_refused: r.moves_refused,
             max_deviation: r.max_deviation,
             seconds: (&r.seconds).into(),
+            tails_before: 0,
+            tails_after: 0,
+            tail_moved: 0,
+            collapsed: 0,
+            removed: 0,
+            flipped: 0,
+            general_flips: 0,
+            vertices_removed: 0,
+            triangles_removed: 0,
+            triangles_unchanged: 0.0,
+        }
+    }
+}
+
+impl From<&TailReport> for qsm_report {
+    fn from(r: &TailReport) -> Self {
+        let seconds = Seconds { total: r.seconds, tail: r.seconds, ..Seconds::default() };
+        Self::from(&Report { before: r.before, seconds, ..Report::default() }).with_tail(r)
+    }
+}
+
+impl From<&Improvement> for qsm_report {
+    fn from(improvement: &Improvement) -> Self {
+        Self::from(&improvement.smoothing).with_tail(&improvement.tail)
+    }
+}
+
+impl qsm_report {
+    /// What the treatment of the tail did, and what the mesh is like after it.
+    fn with_tail(self, tail: &TailReport) -> Self {
+        Self {
+            after: (&tail.after).into(),
+            volume_relative_change: tail.volume_relative_change,
+            max_deviation: tail.max_deviation,
+            tails_before: tail.tails_before,
+            tails_after: tail.tails_after,
+            tail_moved: tail.moved,
+            collapsed: tail.collapsed,
+            removed: tail.removed,
+            flipped: tail.flipped,
+            general_flips: tail.general_flips,
+            vertices_removed: tail.vertices_removed,
+            triangles_removed: tail.triangles_removed,
+            triangles_unchanged: tail.triangles_unchanged,
+            ..self
         }
     }
 }
@@ -311,5 +379,21 @@ mod tests {
         assert_eq!((report.status, report.offender), (8, 3));
         assert_eq!(report.offender_name, c"positions".as_ptr());
         assert!(bytes(&report.message).starts_with(b"positions went wrong\0"));
+    }
+    #[test]
+    fn an_improvement_tells_of_the_whole_call() {
+        let measured = |triangles| Measurement { triangles, ..Measurement::default() };
+        let smoothing =
+            Report { before: measured(9), after: measured(8), moved: 5, max_deviation: 1.0, ..Report::default() };
+        let tail = TailReport {
+            before: measured(9),
+            after: measured(7),
+            moved: 2,
+            max_deviation: 3.0,
+            ..TailReport::default()
+        };
+        let report = qsm_report::from(&Improvement { smoothing, tail });
+        assert_eq!((report.before.triangles, report.after.triangles), (9, 7));
+        assert_eq!((report.moved, report.tail_moved, report.max_deviation), (5, 2, 3.0));
     }
 }

@@ -4,7 +4,6 @@
 use std::any::Any;
 use std::ffi::CStr;
 
-use super::options;
 use crate::error::Error;
 
 /// Result of a call: one of the constants QSM_OK to QSM_PANIC. Their values never change.
@@ -96,8 +95,9 @@ impl From<Error> for Failure {
         let (status, offender, name) = match error {
             Error::IndexOutOfRange { triangle, .. } => (QSM_INDEX_OUT_OF_RANGE, Some(triangle), Some(c"indices")),
             Error::NonFinite { vertex } => (QSM_NON_FINITE_VERTEX, Some(vertex), Some(c"positions")),
-            Error::BadOption { name, .. } => (QSM_BAD_OPTION, None, options::c_name(name)),
+            Error::BadOption { name, .. } => (QSM_BAD_OPTION, None, c_name(name)),
             Error::LockLength { .. } => (QSM_BAD_OPTION, None, Some(c"vertex_lock")),
+            Error::MaskLength { .. } => (QSM_BAD_OPTION, None, Some(c"triangle_mask")),
             Error::FeatureEdgeOutOfRange { edge, .. } => {
                 (QSM_FEATURE_EDGE_OUT_OF_RANGE, Some(edge), Some(c"feature_edges"))
             }
@@ -107,6 +107,28 @@ impl From<Error> for Failure {
         };
         Self { status, offender, name, message: error.to_string() }
     }
+}
+
+/// The name of an option as a C string that lives for ever.
+fn c_name(name: &str) -> Option<&'static CStr> {
+    const NAMES: [&CStr; 15] = [
+        c"iterations",
+        c"plane",
+        c"ideal",
+        c"boundary",
+        c"relaxation",
+        c"interval_width",
+        c"sample_limit",
+        c"quality_floor",
+        c"feature_angle",
+        c"max_deviation",
+        c"tail_edge_ratio",
+        c"tail_min_angle",
+        c"tail_max_angle",
+        c"tail_attempts",
+        c"flips",
+    ];
+    NAMES.into_iter().find(|known| known.to_bytes() == name.as_bytes())
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::mesh::{Mesh, Stars};
 use crate::star::LocalStar;
-use witness::Witness;
+use witness::{Witness, signed_squared_shape};
 
 /// Largest angle in degrees by which a triangle's normal may turn against its original one.
 const LARGEST_TURN: f64 = 75.0;
@@ -29,13 +29,14 @@ impl Leash {
 
 /// The guard with its working memory, reused from star to star.
 pub(crate) struct Guard {
-    /// Shape that the worst triangle of a star may not fall below.
+    /// Squared shape that the worst triangle of a star may not fall below.
     floor: f64,
+    /// Squared cosine of the largest turn.
     least_cosine: f64,
     witnesses: Vec<Witness>,
-    /// The least that the worst triangle must have after the move.
+    /// The least squared shape that a triangle must have after the move.
     bar: f64,
-    /// In the units of the coordinates.
+    /// Squared distances in the units of the coordinates.
     leash: Leash,
     /// How far the centre is already from where it was in the original mesh.
     drift: DVec3,
@@ -44,9 +45,10 @@ pub(crate) struct Guard {
 impl Guard {
     /// A guard with this quality floor (mean-ratio shape, 0 to 1).
     pub fn new(floor: f64) -> Self {
+        let cosine = libm::cos(LARGEST_TURN.to_radians());
         Self {
-            floor,
-            least_cosine: libm::cos(LARGEST_TURN.to_radians()),
+            floor: floor * floor,
+            least_cosine: cosine * cosine,
             witnesses: Vec::new(),
             bar: 0.0,
             leash: Leash::NONE,
@@ -60,29 +62,24 @@ impl Guard {
         witness::of_shapes(star, &mut self.witnesses);
         let size = original::look(mesh, stars, v, star, &mut self.witnesses);
         self.bar = self.witnesses.iter().fold(self.floor, |least, w| least.min(w.shape.abs()));
-        self.leash = Leash { planes: leash.planes * size, place: leash.place * size };
+        let squared = |length: f64| if length.is_finite() { length * length * size } else { length };
+        self.leash = Leash { planes: squared(leash.planes), place: squared(leash.place) };
         self.drift = star.centre - mesh.positions[v as usize];
     }
 
     /// Whether the centre of the inspected star may move by `step`.
     pub fn admits(&self, star: &LocalStar, step: DVec3) -> bool {
-        let strays = (self.drift + step).length() > self.leash.place;
-        !strays
+        let now = self.drift + step;
+        now.length_squared() <= self.leash.place
             && star.rim.windows(2).zip(&self.witnesses).all(|(edge, witness)| {
                 let (a, b) = (edge[0] - step, edge[1] - step);
                 let normal = a.cross(b);
-                let shape = witness::signed_shape(a, b, normal, witness.outward);
+                let shape = signed_squared_shape(a, b, normal, witness.outward);
                 let unfolded = shape >= 0.0 || shape >= witness.shape;
                 shape.abs() >= self.bar
                     && unfolded
                     && !witness.is_turned(normal, self.least_cosine)
-                    && self.is_near(witness, step)
+                    && witness.is_near(self.drift, now, self.leash.planes)
             })
-    }
-
-    /// Whether the centre stays near the plane of an original triangle, or comes nearer to it.
-    fn is_near(&self, witness: &Witness, step: DVec3) -> bool {
-        let distance = witness.plane.dot(self.drift + step).abs();
-        distance <= self.leash.planes || distance <= witness.plane.dot(self.drift).abs()
     }
 }

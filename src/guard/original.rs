@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::witness::{Witness, signed_shape};
+use super::witness::{Witness, signed_squared_shape};
 use crate::mesh::{Mesh, Stars};
 use crate::star::LocalStar;
 
@@ -13,7 +13,7 @@ const MEANINGLESS: f64 = 1e-3;
 /// Original shape below which a triangle's plane is not worth keeping.
 const THIN: f64 = 0.3;
 
-/// Fills in the original normals and planes. Returns the size of the original star: the root mean square of the distances
+/// Fills in the original normals and planes. Returns the squared size of the original star: the mean square of the distances
 /// from the centre to the ring.
 pub(super) fn look(mesh: &Mesh<'_>, stars: &Stars, v: u32, star: &LocalStar, witnesses: &mut [Witness]) -> f64 {
     let centre = mesh.positions[v as usize];
@@ -25,12 +25,12 @@ pub(super) fn look(mesh: &Mesh<'_>, stars: &Stars, v: u32, star: &LocalStar, wit
         let normal = a.cross(b);
         area += normal;
         square += b.length_squared();
-        let shape = signed_shape(a, b, normal, normal);
-        if shape > MEANINGLESS {
-            witness.normal = normal / normal.length();
+        let shape = signed_squared_shape(a, b, normal, normal);
+        if shape > MEANINGLESS * MEANINGLESS {
+            witness.normal = normal;
         }
-        if shape > THIN {
-            witness.plane = witness.normal;
+        if shape > THIN * THIN {
+            witness.plane = normal;
         }
     }
     for (edge, witness) in star.vertices.windows(2).zip(witnesses.iter_mut()) {
@@ -38,5 +38,5 @@ pub(super) fn look(mesh: &Mesh<'_>, stars: &Stars, v: u32, star: &LocalStar, wit
             (witness.normal, witness.plane) = (DVec3::ZERO, DVec3::ZERO);
         }
     }
-    (square / witnesses.len() as f64).sqrt()
+    square / witnesses.len() as f64
 }

@@ -1,5 +1,7 @@
 //! Stars: the triangles around each vertex, as ordered rings in one flat array.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 use super::validated::{Mesh, repeats_a_vertex};
@@ -29,6 +31,18 @@ pub(crate) struct Stars {
     /// Per vertex one slot more than it has triangles.
     slots: Vec<u32>,
     kinds: Vec<StarKind>,
+    hubs: BTreeMap<u32, Hub>,
+}
+
+/// Valence above which a star is a hub. What is asked of a star once for each of its neighbours must not take time in
+/// proportion to its valence, or a fan of a million triangles would never end.
+const HUB: usize = 64;
+
+/// What is known of a star with many triangles.
+struct Hub {
+    /// Ring vertices with their ring positions, sorted.
+    positions: Vec<(u32, u32)>,
+    double_area: DVec3,
 }
 
 impl Stars {
@@ -44,7 +58,34 @@ impl Stars {
             rim.extend(own[..own.len() - 1].iter().map(|&t| rim_edge(&mesh.triangles[t as usize], v as u32)));
             *kind = link(&mut rim, own);
         }
-        Ok(Self { offsets, slots, kinds })
+        let mut stars = Self { offsets, slots, kinds, hubs: BTreeMap::new() };
+        stars.find_hubs(mesh);
+        Ok(stars)
+    }
+
+    fn find_hubs(&mut self, mesh: &Mesh<'_>) {
+        for v in (0..self.len() as u32).filter(|&v| self.is_hub(v)).collect::<Vec<_>>() {
+            let mut positions: Vec<(u32, u32)> = self.ring(v).iter().copied().zip(0..).collect();
+            positions.sort_unstable();
+            let double_area = self.sum_double_area(mesh, v);
+            self.hubs.insert(v, Hub { positions, double_area });
+        }
+    }
+
+    /// Whether so many triangles meet in `v` that nobody should look at all of them without need.
+    pub fn is_hub(&self, v: u32) -> bool {
+        self.ring(v).len() > HUB
+    }
+
+    /// Ring position of `r` around `v`.
+    fn position(&self, v: u32, r: u32) -> Option<usize> {
+        match self.hubs.get(&v) {
+            Some(hub) => {
+                let found = hub.positions.binary_search_by_key(&r, |p| p.0).ok()?;
+                Some(hub.positions[found].1 as usize)
+            }
+            None => self.ring(v).iter().position(|&x| x == r),
+        }
     }
 
     /// Number of vertices.
@@ -75,7 +116,7 @@ impl Stars {
 
     /// Ring position of `r` around `v`, if the edge v–r has a triangle on either side.
     pub fn inner_neighbour(&self, v: u32, r: u32) -> Option<usize> {
-        let i = self.ring(v).iter().position(|&x| x == r)?;
+        let i = self.position(v, r)?;
         self.flanks(v, i).map(|_| i)
     }
 
@@ -91,7 +132,7 @@ impl Stars {
     /// The third corner of the triangle that has the directed edge q → p, if it is in the star of `p`.
     pub fn across(&self, p: u32, q: u32) -> Option<u32> {
         let ring = self.ring(p);
-        let i = ring.iter().position(|&x| x == q)?;
+        let i = self.position(p, q)?;
         match i.checked_sub(1) {
             Some(before) => Some(ring[before]),
             None if self.kind(p) == StarKind::Closed => ring.last().copied(),
@@ -101,6 +142,10 @@ impl Stars {
 
     /// Twice the vector area of the star of `v`; zero where there is no ring.
     pub fn double_area(&self, mesh: &Mesh<'_>, v: u32) -> DVec3 {
+        self.hubs.get(&v).map_or_else(|| self.sum_double_area(mesh, v), |hub| hub.double_area)
+    }
+
+    fn sum_double_area(&self, mesh: &Mesh<'_>, v: u32) -> DVec3 {
         let ring = self.ring(v);
         let closing = if self.kind(v) == StarKind::Closed { ring.first() } else { None };
         let at = |&r: &u32| mesh.positions[r as usize] - mesh.positions[v as usize];

@@ -32,6 +32,21 @@ impl LocalStar {
         self.split = second - first;
     }
 
+    /// Takes up a closed star from its ring: vertex numbers and positions, the first ones not repeated. The second sector
+    /// starts at the ring vertex number `split`; `None`: there is none.
+    pub fn take_ring(&mut self, centre: DVec3, ring: impl Iterator<Item = (u32, DVec3)>, split: Option<usize>) {
+        self.centre = centre;
+        self.vertices.clear();
+        self.rim.clear();
+        for (vertex, position) in ring {
+            self.vertices.push(vertex);
+            self.rim.push(position - centre);
+        }
+        self.vertices.extend_from_within(..1);
+        self.rim.extend_from_within(..1);
+        self.split = split.unwrap_or(self.rim.len() - 1);
+    }
+
     fn take_from(&mut self, stars: &Stars, positions: &[DVec3], v: u32, first: usize) {
         let ring = stars.ring(v);
         self.vertices.clear();

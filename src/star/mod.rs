@@ -8,3 +8,4 @@ mod potential;
 
 pub(crate) use local::{LocalStar, double_vector_area};
 pub(crate) use operation::{Modelling, Operation};
+pub(crate) use plane::TangentPlane;

@@ -5,4 +5,5 @@ mod slide;
 mod visit;
 
 pub(crate) use index_order::run;
-pub(crate) use visit::{Outcome, Surroundings, Tally};
+pub(crate) use slide::direction;
+pub(crate) use visit::{Outcome, Surroundings, Tally, volume_neutral};

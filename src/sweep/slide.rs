@@ -16,13 +16,27 @@ const MEETING: f64 = 0.1;
 /// On a crease the direction is orthogonal to the ring's vector area, so that the slide owes no volume: nothing
 /// beside the crease has to be moved to pay for it.
 pub(super) fn along(star: &LocalStar, target: DVec3) -> Option<DVec3> {
-    let is_crease = star.split + 1 < star.rim.len();
-    let (next, previous) = (star.rim[0], star.rim[if is_crease { star.split } else { star.rim.len() - 1 }]);
-    let tangent = parabola_tangent(next, previous);
-    let direction = if is_crease { neutral_direction(star, tangent) } else { tangent }.try_normalize()?;
+    let direction = direction(star)?;
+    let [next, previous] = neighbours(star);
     let forward = target.dot(direction);
     let reach = 0.5 * if forward * next.dot(direction) > 0.0 { next.length() } else { previous.length() };
     Some(direction * forward.clamp(-reach, reach))
+}
+
+/// Unit direction, one of two, in which the centre of the star may slide.
+pub(crate) fn direction(star: &LocalStar) -> Option<DVec3> {
+    let [next, previous] = neighbours(star);
+    let tangent = parabola_tangent(next, previous);
+    if is_crease(star) { neutral_direction(star, tangent) } else { tangent }.try_normalize()
+}
+
+/// The next and the previous vertex of the feature line.
+fn neighbours(star: &LocalStar) -> [DVec3; 2] {
+    [star.rim[0], star.rim[if is_crease(star) { star.split } else { star.rim.len() - 1 }]]
+}
+
+fn is_crease(star: &LocalStar) -> bool {
+    star.split + 1 < star.rim.len()
 }
 
 /// Tangent at the origin of the parabola through `previous`, the origin, and `next`.

@@ -19,7 +19,7 @@ const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
 const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
 
 /// Bounds for a vertex that may be a corner after all.
-const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.25 };
+const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.2 };
 
 /// What became of a vertex at its last visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,6 +54,22 @@ pub(crate) struct Surroundings<'a> {
     pub relaxation: f64,
     /// Greatest distance from the original surface.
     pub max_deviation: Option<f64>,
+}
+
+impl Surroundings<'_> {
+    /// How far a sweep may take a vertex from where it was in the original mesh.
+    fn leash(&self, v: u32) -> Leash {
+        if self.keeps_shape { self.close_leash(v) } else { Leash::NONE }
+    }
+
+    /// The same where the shape of the surface is to be kept in any case.
+    pub fn close_leash(&self, v: u32) -> Leash {
+        match self.features.role(v) {
+            Role::Crease => ON_CREASE,
+            Role::Doubtful => NEAR_CORNER,
+            _ => ON_SURFACE,
+        }
+    }
 }
 
 /// Visits stars, with working memory that is reused from one to the next.
@@ -109,7 +125,7 @@ impl<'a> Visitor<'a> {
     /// Halves the step until guard and deviation bound agree.
     fn try_step(&mut self, positions: &mut [DVec3], v: u32, mut step: DVec3) -> Outcome {
         let Surroundings { mesh, stars, .. } = *self.around;
-        self.guard.inspect(mesh, stars, v, &self.star, self.leash(v));
+        self.guard.inspect(mesh, stars, v, &self.star, self.around.leash(v));
         let mut refusal = Outcome::Guard;
         for halving in 0..=HALVINGS {
             let new = mesh.storable(self.star.centre + step);
@@ -126,15 +142,6 @@ impl<'a> Visitor<'a> {
         }
         self.tally.refused += 1;
         refusal
-    }
-
-    fn leash(&self, v: u32) -> Leash {
-        match self.around.features.role(v) {
-            _ if !self.around.keeps_shape => Leash::NONE,
-            Role::Crease => ON_CREASE,
-            Role::Doubtful => NEAR_CORNER,
-            _ => ON_SURFACE,
-        }
     }
 
     /// `Moved` if the vertex may go to `new`, else what speaks against it.
@@ -156,7 +163,7 @@ enum Wanted {
 }
 
 /// The part of `step` orthogonal to the ring's vector area, which leaves the volume as it is.
-fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
+pub(crate) fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
     let square = area.length_squared();
     (square > 0.0).then(|| step - area * (area.dot(step) / square))
 }

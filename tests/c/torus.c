@@ -37,13 +37,18 @@ static void cut_cell(uint32_t *cell, uint32_t i, uint32_t j)
 
 void torus(double positions[3 * TORUS_VERTICES], uint32_t indices[TORUS_INDICES])
 {
+    shifted_torus(positions, indices, 1.0);
+}
+
+void shifted_torus(double positions[3 * TORUS_VERTICES], uint32_t indices[TORUS_INDICES], double share)
+{
     uint32_t state = 2007u;
     uint32_t i, j;
     for (i = 0; i < TORUS_AROUND; i++) {
         for (j = 0; j < TORUS_ACROSS; j++) {
             uint32_t v = i * TORUS_ACROSS + j;
-            double around = (i + shift(&state)) * TURN / TORUS_AROUND;
-            double across = (j + shift(&state)) * TURN / TORUS_ACROSS;
+            double around = (i + share * shift(&state)) * TURN / TORUS_AROUND;
+            double across = (j + share * shift(&state)) * TURN / TORUS_ACROSS;
             place(positions + 3 * v, around, across);
             cut_cell(indices + 6 * v, i, j);
         }
@@ -52,9 +57,14 @@ void torus(double positions[3 * TORUS_VERTICES], uint32_t indices[TORUS_INDICES]
 
 double torus_volume(const double positions[3 * TORUS_VERTICES], const uint32_t indices[TORUS_INDICES])
 {
+    return enclosed_volume(positions, indices, TORUS_INDICES);
+}
+
+double enclosed_volume(const double *positions, const uint32_t *indices, size_t index_count)
+{
     double sum = 0.0;
     size_t t;
-    for (t = 0; t < TORUS_INDICES; t += 3) {
+    for (t = 0; t < index_count; t += 3) {
         const double *a = positions + 3 * indices[t];
         const double *b = positions + 3 * indices[t + 1];
         const double *c = positions + 3 * indices[t + 2];

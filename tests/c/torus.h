@@ -19,7 +19,13 @@ enum {
 /* Radii 2 and 1; the same in every run. */
 void torus(double positions[3 * TORUS_VERTICES], uint32_t indices[TORUS_INDICES]);
 
-/* Enclosed volume, summed from the origin. */
+/* The same, each vertex shifted by the given share of what torus shifts it. */
+void shifted_torus(double positions[3 * TORUS_VERTICES], uint32_t indices[TORUS_INDICES], double share);
+
+/* Enclosed volume of any mesh, summed from the origin. */
+double enclosed_volume(const double *positions, const uint32_t *indices, size_t index_count);
+
+/* Enclosed volume of a torus. */
 double torus_volume(const double positions[3 * TORUS_VERTICES], const uint32_t indices[TORUS_INDICES]);
 
 #ifdef __cplusplus

@@ -11,18 +11,31 @@ fn the_version_is_that_of_the_package() {
 
 #[test]
 fn help_gives_ranges_and_defaults() {
-    let help = Workspace::new().done(&["smooth", "--help"]).stdout;
-    let options = [
+    let method = [
         ("--iterations", "2"),
         ("--relaxation", "1.2"),
         ("--plane", "vector-area"),
         ("--ideal", "modelled"),
         ("--feature-angle", "30"),
         ("--boundary", "fixed"),
+        ("--order", "colors"),
+        ("--threads", "0"),
         ("--interval-width", "0.5"),
         ("--sample-limit", "3"),
         ("--quality-floor", "0.5"),
     ];
+    let tail =
+        [("--tail-edge-ratio", "3"), ("--tail-min-angle", "20"), ("--tail-max-angle", "130"), ("--tail-attempts", "3")];
+    let workspace = Workspace::new();
+    let help = |subcommand| workspace.done(&[subcommand, "--help"]).stdout;
+    assert_help(&help("smooth"), &method);
+    assert_help(&help("improve"), &[&method[..], &tail].concat());
+    assert_help(&help("collapse-tails"), &[&method[1..], &tail].concat());
+    assert!(!help("collapse-tails").contains("--iterations"));
+    assert!(help("improve").contains("--flips") && help("improve").contains("--keep-tails"));
+}
+
+fn assert_help(help: &str, options: &[(&str, &str)]) {
     for (option, default) in options {
         let (_, rest) = help.split_once(&format!("\n      {option} ")).unwrap_or_else(|| panic!("{option} is missing"));
         let text = rest.split("\n      --").next().unwrap();
@@ -46,6 +59,8 @@ fn wrong_usage_is_told_apart() {
         ("--quality-floor", "1.5"),
         ("--max-deviation", "-1%"),
         ("--plane", "flat"),
+        ("--order", "random"),
+        ("--threads", "1025"),
     ] {
         let run = workspace.run(&["smooth", "a.off", "-o", "b.off", option, value]);
         assert_eq!(run.code, 2, "{option} {value}: {}", run.stderr);
@@ -53,6 +68,28 @@ fn wrong_usage_is_told_apart() {
     }
     assert_eq!(workspace.run(&["smooth", "a.off"]).code, 2);
     assert_eq!(workspace.run(&[]).code, 2);
+    assert_eq!(workspace.names(), ["a.off"]);
+}
+
+#[test]
+fn wrong_usage_of_the_tail_is_told_apart() {
+    let workspace = Workspace::with(&[("a.off", sphere().off().as_bytes())]);
+    for (option, value) in [
+        ("--tail-edge-ratio", "1"),
+        ("--tail-min-angle", "60"),
+        ("--tail-min-angle", "-5"),
+        ("--tail-max-angle", "180"),
+        ("--tail-attempts", "0"),
+        ("--relaxation", "2.5"),
+    ] {
+        for subcommand in ["improve", "collapse-tails"] {
+            let run = workspace.run(&[subcommand, "a.off", "-o", "b.off", option, value]);
+            assert_eq!(run.code, 2, "{option} {value}: {}", run.stderr);
+            assert!(run.stderr.contains(option) && run.stderr.contains(subcommand), "{option} {value}: {}", run.stderr);
+        }
+    }
+    // Settings of what is left out.
+    assert_eq!(workspace.run(&["improve", "a.off", "-o", "b.off", "--keep-tails", "--flips"]).code, 2);
     assert_eq!(workspace.names(), ["a.off"]);
 }
 

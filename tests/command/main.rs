@@ -5,6 +5,7 @@ mod arguments;
 mod conversion;
 mod demo;
 mod errors;
+mod improve;
 mod meshes;
 mod obj;
 mod off;

@@ -65,6 +65,43 @@ pub fn grid() -> Mesh {
     mesh
 }
 
+/// Vertices of the torus along its two circles; vertex `i + AROUND × j` is number i of the long one, j of the short.
+pub const AROUND: usize = 54;
+pub const ACROSS: usize = 18;
+
+/// A closed surface of triangles on a grid that is wrapped around both ways, its vertices shifted so far that some
+/// triangles are needles and caps. All coordinates fit into 32 bits.
+pub fn torus() -> Mesh {
+    let circle = |k: usize, count: usize| std::f64::consts::TAU * k as f64 / count as f64;
+    let mut mesh = Mesh { points: Vec::new(), faces: Vec::new() };
+    for (j, i) in (0..ACROSS).flat_map(|j| (0..AROUND).map(move |i| (j, i))) {
+        let (u, v) = (circle(i, AROUND), circle(j, ACROSS));
+        let radius = 3.0 + v.cos();
+        let shift = |axis: usize| noise(3 * mesh.points.len() + axis) / 50.0;
+        let point = [radius * u.cos() + shift(0), radius * u.sin() + shift(1), v.sin() + shift(2)];
+        mesh.points.push(point.map(|x| f64::from(x as f32)));
+    }
+    let index = |i: usize, j: usize| ((j % ACROSS) * AROUND + i % AROUND) as u32;
+    for (j, i) in (0..ACROSS).flat_map(|j| (0..AROUND).map(move |i| (j, i))) {
+        let [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
+        mesh.faces.extend([vec![a, b, d], vec![b, c, d]]);
+    }
+    mesh
+}
+
+/// Texture coordinates of the corners of a face of the torus: 0 to 1 along its circles, with a seam where they close.
+pub fn torus_texture(face: &[u32]) -> [[f64; 2]; 3] {
+    let place = |v: u32| [v as usize % AROUND, v as usize / AROUND];
+    let whole = [AROUND, ACROSS];
+    [0, 1, 2].map(|corner| {
+        [0, 1].map(|axis| {
+            let wraps = face.iter().any(|&v| place(v)[axis] > whole[axis] / 2);
+            let k = place(face[corner])[axis];
+            (if k == 0 && wraps { whole[axis] } else { k }) as f64 / 64.0
+        })
+    })
+}
+
 impl Mesh {
     /// As a plain OFF file.
     pub fn off(&self) -> String {

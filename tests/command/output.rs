@@ -2,7 +2,7 @@
 
 use std::process::Stdio;
 
-use crate::meshes::{grid, sphere};
+use crate::meshes::{grid, sphere, torus};
 use crate::workspace::Workspace;
 
 const MEASUREMENT: [&str; 15] = [
@@ -35,6 +35,19 @@ const REPORT: [&str; 12] = [
     "moves_halved",
     "moves_refused",
     "seconds",
+];
+const TAIL: [&str; 11] = [
+    "tails_before",
+    "tails_after",
+    "moved",
+    "collapsed",
+    "removed",
+    "flipped",
+    "general_flips",
+    "vertices_removed",
+    "triangles_removed",
+    "triangles_unchanged",
+    "leftovers",
 ];
 const DISTRIBUTION: [&str; 6] = ["mean", "variance", "min", "max", "infinite", "percentiles"];
 const LEVELS: [&str; 7] = ["p1", "p5", "p25", "p50", "p75", "p95", "p99"];
@@ -97,6 +110,44 @@ fn the_table_shows_before_and_after() {
     let measured = workspace.done(&["measure", "a.off"]).stdout;
     let triangles = measured.lines().find(|line| line.starts_with("│ triangles ")).unwrap();
     assert!(triangles.ends_with(" 98 │"), "{triangles}");
+}
+
+#[test]
+fn the_tail_is_part_of_json_and_table() {
+    let workspace = Workspace::with(&[("a.off", torus().off().as_bytes())]);
+    let harsh = ["--tail-min-angle", "35", "--tail-max-angle", "105", "--feature-angle", "off"];
+    for subcommand in ["improve", "collapse-tails"] {
+        let report = workspace.report(subcommand, "a.off", "b.off", &harsh);
+        assert_keys(&report, &[&REPORT[..], &["tail"]].concat());
+        assert_keys(&report["tail"], &TAIL);
+        let count = |key: &str| report["tail"][key].as_u64().unwrap();
+        let leftovers = report["tail"]["leftovers"].as_array().unwrap();
+        assert_eq!(leftovers.len() as u64, count("tails_after"));
+        assert!(count("tails_after") < count("tails_before") / 2, "{subcommand}: {report}");
+        leftovers.iter().for_each(|leftover| assert_keys(leftover, &["triangle", "defect", "reason"]));
+        let removed = |key: &str| report["before"][key].as_u64().unwrap() - report["after"][key].as_u64().unwrap();
+        assert_eq!(removed("vertices"), count("vertices_removed"));
+        assert_eq!(removed("triangles"), count("triangles_removed"));
+        assert!(count("vertices_removed") > 0);
+        assert!(report["volume_relative_change"].as_f64().unwrap().abs() < 1e-12);
+        assert!(report["max_deviation"].as_f64().unwrap() > 0.0 && report["seconds"]["tail"].as_f64().unwrap() > 0.0);
+        let measured = workspace.done(&["measure", "b.off", "--json"]).stdout;
+        let measured: serde_json::Value = serde_json::from_str(&measured).unwrap();
+        for key in ["vertices", "triangles", "below_30", "min_angle", "boundary_edges"] {
+            let (found, told) = (&measured[key], &report["after"][key]);
+            assert_eq!(found["min"], told["min"], "{key}");
+            assert!(found == told || found.is_object(), "{key}: {found} {told}");
+        }
+        let table = workspace.done(&[&[subcommand, "a.off", "-o", "b.off"], &harsh[..]].concat()).stdout;
+        let row = |name: &str, figure: u64| {
+            let line = table.lines().find(|line| line.starts_with(&format!("│ {name} ")));
+            line.is_some_and(|line| line.ends_with(&format!(" {figure} │")))
+        };
+        assert!(row("triangles in the tail", count("tails_after")), "{table}");
+        assert!(row("vertices removed", count("vertices_removed")), "{table}");
+        assert!(row("tail cured by collapses", count("collapsed")), "{table}");
+    }
+    assert!(workspace.smooth("a.off", "b.off", &[]).get("tail").is_none());
 }
 
 #[test]

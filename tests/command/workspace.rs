@@ -87,7 +87,12 @@ impl Workspace {
 
     /// Smooths with `--json` and further arguments; the object.
     pub fn smooth(&self, input: &str, output: &str, more: &[&str]) -> serde_json::Value {
-        let arguments = [&["smooth", input, "-o", output, "--json"], more].concat();
+        self.report("smooth", input, output, more)
+    }
+
+    /// Runs a subcommand with `--json` and further arguments; the object.
+    pub fn report(&self, subcommand: &str, input: &str, output: &str, more: &[&str]) -> serde_json::Value {
+        let arguments = [&[subcommand, input, "-o", output, "--json"], more].concat();
         serde_json::from_str(&self.done(&arguments).stdout).unwrap()
     }
 }

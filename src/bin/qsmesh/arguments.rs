@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use qsmesh::Options;
+use qsmesh::{Options, TailOptions};
 
 use crate::files::Positions;
 
@@ -12,7 +12,7 @@ const EXAMPLES: &str = "\
 Formats by extension: .ply (ASCII and binary), .obj, .off, .stl.
 Exit codes: 0 done, 1 refused (the reason is on stderr and no file has changed), 2 wrong usage.";
 
-/// Better triangles for surface meshes: vertices move, connectivity and enclosed volume stay.
+/// Better triangles for surface meshes: vertices move, the few that stay bad are collapsed, the enclosed volume stays.
 #[derive(Debug, Parser)]
 #[command(name = "qsmesh", version, about, after_help = EXAMPLES)]
 pub struct Arguments {
@@ -21,21 +21,73 @@ pub struct Arguments {
     pub command: Command,
 }
 
-/// The three things that the command does.
+/// The things that the command does.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Improve the triangles of a mesh file and write it under another name.
+    /// Improve the triangles of a mesh file by moving vertices alone and write it under another name.
     Smooth(SmoothArguments),
+    /// Smooth a mesh file, then cure the triangles that are still bad by collapses, removals and flips.
+    Improve(ImproveArguments),
+    /// Cure the bad triangles of a mesh file by collapses, removals and flips, without smoothing the rest.
+    CollapseTails(CollapseTailsArguments),
     /// Measure the quality of a mesh file. Nothing is written.
     Measure(MeasureArguments),
-    /// Make a mesh with bad triangles, improve it and write both.
+    /// Make a mesh with bad triangles, smooth it and write both.
     Demo(DemoArguments),
 }
 
-/// Arguments of `qsmesh smooth`.
+/// Arguments of `qsmesh smooth`. What sets a heading comes last, because it holds for everything after it.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct SmoothArguments {
+    #[command(flatten)]
+    pub files: FileArguments,
+
+    #[command(flatten)]
+    pub sweeps: SweepArguments,
+
+    #[command(flatten)]
+    pub method: MethodArguments,
+}
+
+/// Arguments of `qsmesh improve`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct ImproveArguments {
+    #[command(flatten)]
+    pub files: FileArguments,
+
+    /// Leave out the treatment of the tail: the same as `qsmesh smooth`.
+    #[arg(long, conflicts_with = "TailArguments")]
+    pub keep_tails: bool,
+
+    #[command(flatten)]
+    pub tail: TailArguments,
+
+    #[command(flatten)]
+    pub sweeps: SweepArguments,
+
+    #[command(flatten)]
+    pub method: MethodArguments,
+}
+
+/// Arguments of `qsmesh collapse-tails`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct CollapseTailsArguments {
+    #[command(flatten)]
+    pub files: FileArguments,
+
+    #[command(flatten)]
+    pub tail: TailArguments,
+
+    #[command(flatten)]
+    pub method: MethodArguments,
+}
+
+/// What is read and what is written.
+#[derive(Debug, Args)]
+pub struct FileArguments {
     /// Mesh file to read.
     #[arg(value_name = "IN")]
     pub input: PathBuf,
@@ -51,20 +103,47 @@ pub struct SmoothArguments {
     /// No table, no notes and no progress bar; errors and --json are still written.
     #[arg(short, long)]
     pub quiet: bool,
+}
 
-    // Last, because its heading holds for everything after it.
-    #[command(flatten)]
-    pub method: MethodArguments,
+/// Settings of the treatment of the tail. Edges along which texture coordinates, materials or groups part are kept.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Tail", allow_negative_numbers = true)]
+pub struct TailArguments {
+    /// Edge ratio (longest over shortest edge) above which a triangle is in the tail. Range above 1.
+    #[arg(long, value_name = "X", default_value_t = TailOptions::default().edge_ratio)]
+    pub tail_edge_ratio: f64,
+
+    /// Smallest angle in degrees below which a triangle is in the tail. Range above 0 to below 60.
+    #[arg(long, value_name = "DEG", default_value_t = TailOptions::default().min_angle)]
+    pub tail_min_angle: f64,
+
+    /// Largest angle in degrees above which a triangle is in the tail. Range above 60 to below 180.
+    #[arg(long, value_name = "DEG", default_value_t = TailOptions::default().max_angle)]
+    pub tail_max_angle: f64,
+
+    /// How often one triangle is taken up at most; again only after something near it has changed. Range 1 to 1000.
+    #[arg(long, value_name = "N", default_value_t = TailOptions::default().attempts)]
+    pub tail_attempts: u32,
+
+    /// First flip every inner edge where the Delaunay criterion in the tangent plane asks for it. Default: no flips but
+    /// those that cure a triangle.
+    #[arg(long)]
+    pub flips: bool,
+}
+
+/// How often the mesh is swept.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Method", allow_negative_numbers = true)]
+pub struct SweepArguments {
+    /// Sweeps over the mesh. Range 0 to 10000.
+    #[arg(long, value_name = "N", default_value_t = Options::default().iterations)]
+    pub iterations: u32,
 }
 
 /// Settings of the method.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method", allow_negative_numbers = true)]
 pub struct MethodArguments {
-    /// Sweeps over the mesh. Range 0 to 10000.
-    #[arg(long, value_name = "N", default_value_t = Options::default().iterations)]
-    pub iterations: u32,
-
     /// Over-relaxation of each move, as a factor. Range above 0 to 2; 1 is the setting of the original method.
     #[arg(long, value_name = "W", default_value_t = Options::default().relaxation)]
     pub relaxation: f64,
@@ -86,6 +165,14 @@ pub struct MethodArguments {
     /// Vertices on the boundary of an open mesh.
     #[arg(long, value_enum, default_value_t = Boundary::Fixed)]
     pub boundary: Boundary,
+
+    /// Order in which a sweep visits the vertices.
+    #[arg(long, value_enum, default_value_t = Order::Colors)]
+    pub order: Order,
+
+    /// Threads at most; 0: as many as the machine runs at once. The result is the same for any number. Range 0 to 1024.
+    #[arg(long, value_name = "N", default_value_t = Options::default().threads)]
+    pub threads: u32,
 
     /// Greatest distance of a vertex from the original surface: a number in the units of the coordinates, or a number
     /// with % in percent of the bounding box's diagonal. Range from 0. Default: no bound.
@@ -154,6 +241,15 @@ pub enum Boundary {
     Slide,
 }
 
+/// `--order`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Order {
+    /// By colour, on all threads.
+    Colors,
+    /// By vertex index, on one thread.
+    Index,
+}
+
 /// `--feature-angle`: degrees, or `None` for `off`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Angle(pub Option<f64>);
@@ -204,27 +300,20 @@ fn parse_distance(text: &str) -> Result<Distance, String> {
 }
 
 impl MethodArguments {
-    /// As the library takes them, for a mesh at `positions`.
-    pub fn options(&self, positions: &Positions) -> Options {
-        Options { max_deviation: self.max_deviation.map(|distance| distance.in_units(positions)), ..self.unscaled() }
+    /// As the library takes them, for `iterations` sweeps over a mesh at `positions`.
+    pub fn options(&self, iterations: u32, positions: &Positions) -> Options {
+        let max_deviation = self.max_deviation.map(|distance| distance.in_units(positions));
+        Options { iterations, max_deviation, ..self.unscaled() }
     }
 
-    /// Ends the process with a usage error if a value is outside its range.
-    pub fn require_valid(&self) {
-        if let Err(qsmesh::Error::BadOption { name, value }) = self.unscaled().validate() {
-            let option = name.replace('_', "-");
-            let message = format!("{value} is outside the range of --{option}; see `qsmesh smooth --help`");
-            let mut command = Arguments::command();
-            command.build();
-            let smooth = command.find_subcommand_mut("smooth").cloned();
-            smooth.unwrap_or(command).error(ErrorKind::ValueValidation, message).exit();
-        }
+    /// Ends the process with a usage error of `subcommand` if a value is outside its range.
+    pub fn require_valid(&self, iterations: u32, subcommand: &str) {
+        require_valid(Options { iterations, ..self.unscaled() }.validate(), subcommand, "");
     }
 
-    /// Everything but the one option that depends on the mesh.
+    /// Everything but the number of sweeps and the one option that depends on the mesh.
     fn unscaled(&self) -> Options {
         Options {
-            iterations: self.iterations,
             relaxation: self.relaxation,
             plane: match self.plane {
                 Plane::VectorArea => qsmesh::Plane::VectorArea,
@@ -242,8 +331,45 @@ impl MethodArguments {
                 Boundary::Fixed => qsmesh::Boundary::Fixed,
                 Boundary::Slide => qsmesh::Boundary::Slide,
             },
+            order: match self.order {
+                Order::Colors => qsmesh::Order::Colors,
+                Order::Index => qsmesh::Order::Index,
+            },
+            threads: self.threads,
             ..Options::default()
         }
+    }
+}
+
+impl TailArguments {
+    /// As the library takes them.
+    pub fn options(&self) -> TailOptions<'static> {
+        TailOptions {
+            edge_ratio: self.tail_edge_ratio,
+            min_angle: self.tail_min_angle,
+            max_angle: self.tail_max_angle,
+            flips: self.flips,
+            attempts: self.tail_attempts,
+            ..TailOptions::default()
+        }
+    }
+
+    /// Ends the process with a usage error of `subcommand` if a value is outside its range.
+    pub fn require_valid(&self, subcommand: &str) {
+        require_valid(self.options().validate(), subcommand, "tail-");
+    }
+}
+
+/// Ends the process with a usage error if the library refused an option, which the command calls by the same name
+/// behind `prefix`.
+fn require_valid(checked: Result<(), qsmesh::Error>, subcommand: &str, prefix: &str) {
+    if let Err(qsmesh::Error::BadOption { name, value }) = checked {
+        let option = name.replace('_', "-");
+        let message = format!("{value} is outside the range of --{prefix}{option}; see `qsmesh {subcommand} --help`");
+        let mut command = Arguments::command();
+        command.build();
+        let found = command.find_subcommand_mut(subcommand).cloned();
+        found.unwrap_or(command).error(ErrorKind::ValueValidation, message).exit();
     }
 }
 
@@ -251,12 +377,18 @@ impl MethodArguments {
 mod tests {
     use clap::{CommandFactory, Parser};
 
-    use super::{Arguments, Command, Options, Positions};
+    use super::{Arguments, Command, Options, Positions, TailOptions};
 
     fn options(arguments: &[&str]) -> Options {
         let all = ["qsmesh", "smooth", "a.ply", "-o", "b.ply"].iter().chain(arguments);
         let Command::Smooth(smooth) = Arguments::try_parse_from(all).unwrap().command else { panic!("not smooth") };
-        smooth.method.options(&Positions::F64(vec![[0.0; 3], [30.0, 40.0, 0.0]]))
+        smooth.method.options(smooth.sweeps.iterations, &Positions::F64(vec![[0.0; 3], [30.0, 40.0, 0.0]]))
+    }
+
+    fn tail_options(arguments: &[&str]) -> TailOptions<'static> {
+        let all = ["qsmesh", "improve", "a.ply", "-o", "b.ply"].iter().chain(arguments);
+        let Command::Improve(improve) = Arguments::try_parse_from(all).unwrap().command else { panic!("not improve") };
+        improve.tail.options()
     }
 
     #[test]
@@ -267,6 +399,7 @@ mod tests {
     #[test]
     fn defaults_are_those_of_the_library() {
         assert_eq!(options(&[]), Options::default());
+        assert_eq!(tail_options(&[]), TailOptions::default());
     }
 
     #[test]
@@ -284,6 +417,10 @@ mod tests {
             "equilateral",
             "--boundary",
             "slide",
+            "--order",
+            "index",
+            "--threads",
+            "3",
             "--feature-angle",
             "off",
             "--iterations",
@@ -301,6 +438,8 @@ mod tests {
             plane: qsmesh::Plane::LeastSquares,
             ideal: qsmesh::Ideal::Equilateral,
             boundary: qsmesh::Boundary::Slide,
+            order: qsmesh::Order::Index,
+            threads: 3,
             feature_angle: None,
             iterations: 7,
             relaxation: 1.0,
@@ -308,6 +447,29 @@ mod tests {
             sample_limit: 2.0,
             quality_floor: 0.25,
             ..Options::default()
+        };
+        assert_eq!(chosen, expected);
+    }
+    #[test]
+    fn every_choice_about_the_tail_reaches_the_library() {
+        let chosen = tail_options(&[
+            "--tail-edge-ratio",
+            "2.5",
+            "--tail-min-angle",
+            "30",
+            "--tail-max-angle",
+            "115",
+            "--tail-attempts",
+            "9",
+            "--flips",
+        ]);
+        let expected = TailOptions {
+            edge_ratio: 2.5,
+            min_angle: 30.0,
+            max_angle: 115.0,
+            attempts: 9,
+            flips: true,
+            ..TailOptions::default()
         };
         assert_eq!(chosen, expected);
     }

@@ -1,6 +1,6 @@
 //! The JSON objects. Numbers that are not finite become null.
 
-use qsmesh::{Distribution, Kept, Measurement, Report, Seconds};
+use qsmesh::{Defect, Distribution, Kept, Leftover, Measurement, Reason, Report, Seconds, TailReport};
 use serde::Serialize;
 
 use crate::failure::{Failure, Result};
@@ -8,6 +8,11 @@ use crate::failure::{Failure, Result};
 /// The one object of `qsmesh smooth --json`.
 pub fn of_report(report: &Report) -> Result<String> {
     write(&ReportObject::from(report))
+}
+
+/// The one object of `qsmesh improve --json`: that of `qsmesh smooth` and `tail`.
+pub fn of_improvement(whole: &Report, tail: &TailReport) -> Result<String> {
+    write(&ImprovementObject { whole: whole.into(), tail: tail.into() })
 }
 
 /// The one object of `qsmesh measure --json`.
@@ -51,6 +56,74 @@ impl From<&Report> for ReportObject {
             moves_refused: report.moves_refused,
             seconds: (&report.seconds).into(),
         }
+    }
+}
+
+#[derive(Serialize)]
+struct ImprovementObject {
+    #[serde(flatten)]
+    whole: ReportObject,
+    tail: TailObject,
+}
+
+#[derive(Serialize)]
+struct TailObject {
+    tails_before: usize,
+    tails_after: usize,
+    moved: usize,
+    collapsed: usize,
+    removed: usize,
+    flipped: usize,
+    general_flips: usize,
+    vertices_removed: usize,
+    triangles_removed: usize,
+    triangles_unchanged: f64,
+    leftovers: Vec<LeftoverObject>,
+}
+
+impl From<&TailReport> for TailObject {
+    fn from(tail: &TailReport) -> Self {
+        Self {
+            tails_before: tail.tails_before,
+            tails_after: tail.tails_after,
+            moved: tail.moved,
+            collapsed: tail.collapsed,
+            removed: tail.removed,
+            flipped: tail.flipped,
+            general_flips: tail.general_flips,
+            vertices_removed: tail.vertices_removed,
+            triangles_removed: tail.triangles_removed,
+            triangles_unchanged: tail.triangles_unchanged,
+            leftovers: tail.leftovers.iter().map(LeftoverObject::from).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct LeftoverObject {
+    triangle: u32,
+    defect: &'static str,
+    reason: &'static str,
+}
+
+impl From<&Leftover> for LeftoverObject {
+    fn from(leftover: &Leftover) -> Self {
+        let defect = match leftover.defect {
+            Defect::Degenerate => "degenerate",
+            Defect::Needle => "needle",
+            Defect::Cap => "cap",
+            Defect::SmallAngle => "small_angle",
+        };
+        let reason = match leftover.reason {
+            Reason::Feature => "feature",
+            Reason::Locked => "locked",
+            Reason::Boundary => "boundary",
+            Reason::Topology => "topology",
+            Reason::Deviation => "deviation",
+            Reason::Fold => "fold",
+            Reason::NoGain => "no_gain",
+        };
+        Self { triangle: leftover.triangle, defect, reason }
     }
 }
 

@@ -6,6 +6,7 @@ mod console;
 mod demo_command;
 mod failure;
 mod files;
+mod improve_command;
 mod isosurface;
 mod json;
 mod measure_command;
@@ -21,6 +22,8 @@ use crate::arguments::{Arguments, Command};
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Smooth(arguments) => smooth_command::run(&arguments),
+        Command::Improve(arguments) => improve_command::run(&arguments),
+        Command::CollapseTails(arguments) => improve_command::run_without_sweeps(&arguments),
         Command::Measure(arguments) => measure_command::run(&arguments),
         Command::Demo(arguments) => demo_command::run(&arguments),
     };

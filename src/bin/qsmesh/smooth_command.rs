@@ -2,36 +2,51 @@
 
 use qsmesh::{Constraints, Error, Options, Report};
 
-use crate::arguments::SmoothArguments;
+use crate::arguments::{FileArguments, MethodArguments, SmoothArguments, SweepArguments};
 use crate::console;
 use crate::failure::{Failure, Result};
-use crate::files::{MeshFile, Positions, Target};
+use crate::files::{MeshFile, Positions, Revision, Target};
 use crate::{json, table};
 
-/// Reads, improves, writes, reports.
+/// `qsmesh smooth`.
 pub fn run(arguments: &SmoothArguments) -> Result<()> {
-    arguments.method.require_valid();
-    let target = Target::prepare(&arguments.output)?;
-    let file = MeshFile::read(&arguments.input)?;
+    arguments.method.require_valid(arguments.sweeps.iterations, "smooth");
+    smooth_file(&arguments.files, &arguments.sweeps, &arguments.method)
+}
+
+/// Reads, smooths, writes, reports.
+pub fn smooth_file(files: &FileArguments, sweeps: &SweepArguments, method: &MethodArguments) -> Result<()> {
+    let target = Target::prepare(&files.output)?;
+    let file = MeshFile::read(&files.input)?;
     let mut positions = file.positions_for(target.format());
-    let options = arguments.method.options(&positions);
-    let report = improve(&file, &mut positions, &options, arguments.quiet)
-        .map_err(|failure| failure.in_file(&arguments.input))?;
-    let notes = file.save(&target, &positions)?;
-    if !arguments.quiet {
+    let options = method.options(sweeps.iterations, &positions);
+    let report =
+        smooth(&file, &mut positions, &options, files.quiet).map_err(|failure| failure.in_file(&files.input))?;
+    let notes = file.save(&target, &Revision::of_positions(positions))?;
+    tell(files, &notes, || json::of_report(&report), || table::of_report(&report))
+}
+
+/// Tells what the user wants to hear.
+pub fn tell(
+    files: &FileArguments,
+    notes: &[String],
+    json: impl FnOnce() -> Result<String>,
+    table: impl FnOnce() -> String,
+) -> Result<()> {
+    if !files.quiet {
         notes.iter().for_each(console::note);
     }
-    if arguments.json {
-        console::result(&json::of_report(&report)?)
-    } else if arguments.quiet {
+    if files.json {
+        console::result(&json()?)
+    } else if files.quiet {
         Ok(())
     } else {
-        console::result(&table::of_report(&report))
+        console::result(&table())
     }
 }
 
 /// Moves the vertices of `positions`, which belong to `file`.
-pub fn improve(file: &MeshFile, positions: &mut Positions, options: &Options, quiet: bool) -> Result<Report> {
+pub fn smooth(file: &MeshFile, positions: &mut Positions, options: &Options, quiet: bool) -> Result<Report> {
     let mut progress = console::Progress::new(quiet);
     let triangles = &file.faces.triangles;
     let mut tell = |done| progress.tell(done);

@@ -1,10 +1,32 @@
 //! The tables for people.
 
 use comfy_table::{CellAlignment, Table, presets};
-use qsmesh::{Kept, Measurement, Report};
+use qsmesh::{Kept, Measurement, Reason, Report, TailReport};
 
 /// Before and after, then what was done.
 pub fn of_report(report: &Report) -> String {
+    before_and_after(report).trim_fmt()
+}
+
+/// The same, with the treatment of the tail.
+pub fn of_improvement(whole: &Report, tail: &TailReport) -> String {
+    let mut table = before_and_after(whole);
+    table.add_row(["triangles in the tail".to_string(), tail.tails_before.to_string(), tail.tails_after.to_string()]);
+    for (what, count) in operations(tail) {
+        table.add_row([what.to_string(), String::new(), count.to_string()]);
+    }
+    let unchanged = format!("{:.3} %", 100.0 * tail.triangles_unchanged);
+    table.add_row(["triangles unchanged".to_string(), String::new(), unchanged]);
+    for (reason, name) in REASONS {
+        let count = tail.leftovers.iter().filter(|leftover| leftover.reason == reason).count();
+        if count > 0 {
+            table.add_row([format!("tail left: {name}"), String::new(), count.to_string()]);
+        }
+    }
+    table.trim_fmt()
+}
+
+fn before_and_after(report: &Report) -> Table {
     let mut table = new_table(&["", "before", "after"]);
     for (name, value) in rows() {
         table.add_row([name.to_string(), value(&report.before), value(&report.after)]);
@@ -20,7 +42,7 @@ pub fn of_report(report: &Report) -> String {
     for (reason, count) in reasons(&report.kept).into_iter().filter(|(_, count)| *count > 0) {
         table.add_row([format!("vertices kept: {reason}"), String::new(), count.to_string()]);
     }
-    table.trim_fmt()
+    table
 }
 
 /// One column of figures.
@@ -81,6 +103,28 @@ fn number(value: f64) -> String {
     }
 }
 
+fn operations(tail: &TailReport) -> [(&'static str, usize); 7] {
+    [
+        ("tail cured by moves", tail.moved),
+        ("tail cured by collapses", tail.collapsed),
+        ("tail cured by removals", tail.removed),
+        ("tail cured by flips", tail.flipped),
+        ("other flips", tail.general_flips),
+        ("vertices removed", tail.vertices_removed),
+        ("triangles removed", tail.triangles_removed),
+    ]
+}
+
+const REASONS: [(Reason, &str); 7] = [
+    (Reason::Feature, "feature"),
+    (Reason::Locked, "locked"),
+    (Reason::Boundary, "boundary"),
+    (Reason::Topology, "topology"),
+    (Reason::Deviation, "deviation bound"),
+    (Reason::Fold, "fold"),
+    (Reason::NoGain, "no gain"),
+];
+
 fn reasons(kept: &Kept) -> [(&'static str, usize); 9] {
     [
         ("in no triangle", kept.unreferenced),
@@ -97,9 +141,9 @@ fn reasons(kept: &Kept) -> [(&'static str, usize); 9] {
 
 #[cfg(test)]
 mod tests {
-    use qsmesh::{Kept, Report};
+    use qsmesh::{Defect, Kept, Leftover, Reason, Report, TailReport};
 
-    use super::{number, of_report};
+    use super::{number, of_improvement, of_report};
 
     #[test]
     fn numbers_have_six_digits() {
@@ -115,5 +159,14 @@ mod tests {
         let report = Report { kept: Kept { boundary: 12, ..Kept::default() }, ..Report::default() };
         let text = of_report(&report);
         assert!(text.contains("kept: boundary") && !text.contains("kept: corner"), "{text}");
+    }
+
+    #[test]
+    fn leftovers_are_counted_by_reason() {
+        let leftover = |reason| Leftover { triangle: 0, defect: Defect::Cap, reason };
+        let leftovers = [Reason::Fold, Reason::Boundary, Reason::Fold].map(leftover).to_vec();
+        let text = of_improvement(&Report::default(), &TailReport { leftovers, ..TailReport::default() });
+        let count = |name: &str| text.lines().find(|line| line.contains(name)).map(|line| line.contains(" 2 │"));
+        assert_eq!(["left: fold", "left: boundary", "left: locked"].map(count), [Some(true), Some(false), None]);
     }
 }

@@ -56,6 +56,11 @@ impl Faces {
         self.count
     }
 
+    /// Number of the first face that is no triangle, and of its corners.
+    pub fn first_polygon(&self) -> Option<(usize, usize)> {
+        self.polygons.first().map(|polygon| (polygon.first_triangle, polygon.corners.len()))
+    }
+
     /// Calls `visit` with the corners of each face in the order of the file.
     pub fn each(&self, mut visit: impl FnMut(&[u32]) -> Result<()>) -> Result<()> {
         let mut next = 0;
@@ -88,6 +93,7 @@ mod tests {
         let faces = faces(&list);
         let fan = [[0, 1, 2], [3, 4, 5], [3, 5, 6], [3, 6, 7], [1, 2, 3], [4, 5, 6], [4, 6, 7]];
         assert_eq!(faces.triangles, fan);
+        assert_eq!(faces.first_polygon(), Some((0, 2)));
         let mut seen: Vec<Vec<i64>> = Vec::new();
         let remember = |corners: &[u32]| {
             seen.push(corners.iter().map(|&x| i64::from(x)).collect());

@@ -7,7 +7,9 @@ mod obj;
 mod off;
 mod ply;
 mod positions;
+mod revision;
 mod save;
+mod seams;
 mod splice;
 mod stl;
 mod text;
@@ -19,6 +21,7 @@ use std::path::Path;
 pub use self::faces::Faces;
 pub use self::format::Format;
 pub use self::positions::Positions;
+pub use self::revision::Revision;
 pub use self::save::Target;
 use crate::failure::{Failure, Result};
 
@@ -87,33 +90,46 @@ impl MeshFile {
         }
     }
 
-    /// Writes the mesh with new positions, which come from [`positions_for`](Self::positions_for) the target's format.
-    /// Within one format everything else is kept. Returns what to tell the user.
-    pub fn save(&self, target: &Target, positions: &Positions) -> Result<Vec<String>> {
+    /// Edges along which what belongs to the faces or their corners parts: texture coordinates, materials, groups.
+    /// All faces must be triangles.
+    pub fn seams(&self) -> Result<Vec<[u32; 2]>> {
+        match &self.carrier {
+            Carrier::Ply(carrier) => carrier.seams(&self.faces),
+            Carrier::Obj(carrier) => Ok(carrier.seams(&self.faces)),
+            Carrier::Off(_) | Carrier::Stl(_) | Carrier::Nothing => Ok(Vec::new()),
+        }
+    }
+
+    /// Writes the mesh as it has become; its positions come from [`positions_for`](Self::positions_for) the target's
+    /// format. Within one format everything else is kept. Returns what to tell the user.
+    pub fn save(&self, target: &Target, new: &Revision) -> Result<Vec<String>> {
         let mut notes = Vec::new();
+        let (old, faces) = (&self.positions, &self.faces);
         target.write(|out| {
-            notes.extend(match (&self.carrier, target.format()) {
-                (Carrier::Ply(carrier), Format::Ply) => carrier.write(out, &self.positions, positions, &self.faces)?,
-                (Carrier::Obj(carrier), Format::Obj) => carrier.write(out, &self.positions, positions, &self.faces)?,
-                (Carrier::Off(carrier), Format::Off) => carrier.write(out, &self.positions, positions, &self.faces)?,
-                (Carrier::Stl(carrier), Format::Stl) => carrier.write(out, &self.positions, positions, &self.faces)?,
-                (_, format) => self.convert(format, out, positions)?,
-            });
+            notes = match (&self.carrier, target.format()) {
+                (Carrier::Ply(carrier), Format::Ply) => carrier.write(out, old, new, faces)?,
+                (Carrier::Obj(carrier), Format::Obj) => carrier.write(out, old, new, faces)?,
+                (Carrier::Off(carrier), Format::Off) => carrier.write(out, old, new, faces)?,
+                (Carrier::Stl(carrier), Format::Stl) => carrier.write(out, old, new, faces)?,
+                (_, format) => self.convert(format, out, new)?,
+            };
             Ok(())
         })?;
         Ok(notes)
     }
 
     /// Writes positions and faces alone. Returns what was left behind.
-    fn convert(&self, format: Format, out: impl Write, positions: &Positions) -> Result<Option<String>> {
+    fn convert(&self, format: Format, out: impl Write, new: &Revision) -> Result<Vec<String>> {
+        let remeshed = new.is_remeshed().then(|| Faces::of_triangles(new.triangles(&self.faces).to_vec()));
+        let (positions, faces) = (&new.positions, remeshed.as_ref().unwrap_or(&self.faces));
         match format {
-            Format::Ply => ply::write_fresh(out, positions, &self.faces)?,
-            Format::Obj => obj::write_fresh(out, positions, &self.faces)?,
-            Format::Off => off::write_fresh(out, positions, &self.faces)?,
-            Format::Stl => stl::write_fresh(out, positions, &self.faces)?,
+            Format::Ply => ply::write_fresh(out, positions, faces)?,
+            Format::Obj => obj::write_fresh(out, positions, faces)?,
+            Format::Off => off::write_fresh(out, positions, faces)?,
+            Format::Stl => stl::write_fresh(out, positions, faces)?,
         }
         let lost = self.lost_in(format);
-        Ok((!lost.is_empty()).then(|| format!("not carried over to {format}: {}", lost.join(", "))))
+        Ok(if lost.is_empty() { vec![] } else { vec![format!("not carried over to {format}: {}", lost.join(", "))] })
     }
 
     /// What a conversion to `format` leaves behind.

@@ -1,5 +1,5 @@
-//! OFF with its prefixes ST, C and N. Every line is kept; only coordinates of moved vertices and vertex normals are
-//! written anew.
+//! OFF with its prefixes ST, C and N. Every line is kept; only counts, coordinates of moved vertices, vertex normals
+//! and vertices of faces that have another number are written anew, and lines go with what they describe.
 
 use std::io::Write;
 use std::iter::Peekable;
@@ -8,8 +8,9 @@ use std::ops::Range;
 use super::faces::Faces;
 use super::normals;
 use super::positions::Positions;
-use super::splice::Splice;
-use super::text::{Line, Lines, brief, number, require_text, tokens};
+use super::revision::Revision;
+use super::splice::{Change, Splice, changed};
+use super::text::{Line, Lines, brief, integer_text, joined_lines, number, require_text, tokens};
 use crate::failure::{Failure, Result};
 
 /// An OFF file as it was read.
@@ -24,6 +25,8 @@ struct Header {
     has_normals: bool,
     vertices: usize,
     faces: usize,
+    /// Places of the counts of vertices, faces and, where it is written, edges.
+    counts: Vec<Range<usize>>,
 }
 
 /// Reads positions and faces out of the bytes of a file.
@@ -72,6 +75,8 @@ fn read_face(bytes: &[u8], row: &Row, face: usize) -> Result<Vec<i64>> {
 /// A line with something on it.
 struct Row {
     line: usize,
+    /// All of it, with its end.
+    whole: Range<usize>,
     places: Vec<Range<usize>>,
 }
 
@@ -88,10 +93,11 @@ impl<'a> Rows<'a> {
 
     fn next(&mut self, at_end: impl FnOnce() -> Failure) -> Result<Row> {
         for line in self.lines.by_ref() {
-            let Line { span, number, .. } = line;
+            let Line { span, number, full_end } = line;
+            let whole = span.start..full_end;
             let places: Vec<_> = tokens(self.bytes, span).collect();
             if !places.is_empty() {
-                return Ok(Row { line: number, places });
+                return Ok(Row { line: number, whole, places });
             }
         }
         Err(at_end())
@@ -114,7 +120,9 @@ impl<'a> Rows<'a> {
             return Err(Failure::at_line(row.line, "the counts of vertices and faces are expected here"));
         };
         let count = |span: &Range<usize>| number::<usize>(self.bytes, span.clone(), row.line);
-        Ok(Header { has_normals, vertices: count(vertices)?, faces: count(faces)? })
+        let (vertices, faces) = (count(vertices)?, count(faces)?);
+        row.places.truncate(3);
+        Ok(Header { has_normals, vertices, faces, counts: row.places })
     }
 }
 
@@ -147,28 +155,92 @@ impl Carrier {
         if self.has_extras { vec!["colours and other numbers of vertices and faces".to_string()] } else { Vec::new() }
     }
 
-    /// Writes the file with the new positions and, where it has normals, new normals. Returns what to tell the user.
-    pub fn write(&self, out: impl Write, old: &Positions, new: &Positions, faces: &Faces) -> Result<Option<String>> {
-        let renew = self.header.has_normals && new.any_moved(old);
-        let normals = if renew { normals::of_vertices(new, &faces.triangles) } else { Vec::new() };
+    /// Writes the file as it has become. Returns what to tell the user.
+    pub fn write(&self, out: impl Write, old: &Positions, new: &Revision, faces: &Faces) -> Result<Vec<String>> {
+        let renew = self.header.has_normals && new.changes(old, faces);
+        let normals = if renew { normals::of_vertices(&new.positions, new.triangles(faces)) } else { Vec::new() };
         let mut splice = Splice::new(&self.bytes, out);
         let mut rows = Rows::of(&self.bytes);
         rows.header()?;
-        for vertex in 0..new.len() {
-            let row = rows.next(|| short("vertices", new.len(), vertex))?;
-            if new.moved(old, vertex) {
-                for (axis, span) in row.places.iter().take(3).enumerate() {
-                    splice.replace(span.clone(), new.text(vertex, axis).as_bytes())?;
+        if new.is_remeshed() {
+            self.write_counts(&mut splice, new, faces)?;
+        }
+        for former in 0..old.len() {
+            let row = rows.next(|| short("vertices", old.len(), former))?;
+            match new.vertex(former) {
+                Some(vertex) => {
+                    if new.moved(old, former).is_some() {
+                        write_point(&mut splice, &row, &new.positions, vertex)?;
+                    }
+                    write_normal(&mut splice, &row, normals.get(vertex).copied().flatten())?;
                 }
-            }
-            let normal = normals.get(vertex).copied().flatten();
-            for (value, span) in normal.into_iter().flatten().zip(row.places.iter().skip(3)) {
-                splice.replace(span.clone(), format!("{:?}", value as f32).as_bytes())?;
+                None => splice.replace(row.whole, b"")?,
             }
         }
+        let faces_to_write = if new.is_remeshed() { faces.len() } else { 0 };
+        for face in 0..faces_to_write {
+            let row = rows.next(|| short("faces", faces.len(), face))?;
+            self.write_face(&mut splice, &row, new.triangles(faces), new.successors(face))?;
+        }
         splice.finish()?;
-        Ok(renew.then(|| "the vertex normals were recomputed from the new positions".to_string()))
+        Ok(if renew { vec!["the vertex normals were recomputed from the new positions".to_string()] } else { vec![] })
     }
+
+    fn write_counts(&self, splice: &mut Splice<'_, impl Write>, new: &Revision, faces: &Faces) -> Result<()> {
+        let triangles = new.triangles(faces);
+        let counts = [new.positions.len(), triangles.len(), edge_count(triangles)];
+        for (what, (place, count)) in self.header.counts.iter().zip(counts).enumerate() {
+            let text = &self.bytes[place.clone()];
+            // Many files leave the edges uncounted.
+            let uncounted = what == 2 && text.iter().all(|&digit| digit == b'0');
+            if !uncounted {
+                splice.replace(place.clone(), &integer_text(text, count as i64))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the row of a triangle once for each of its `successors`, which keep what follows the corners.
+    fn write_face(
+        &self,
+        splice: &mut Splice<'_, impl Write>,
+        row: &Row,
+        triangles: &[[u32; 3]],
+        successors: Range<usize>,
+    ) -> Result<()> {
+        let renumbered = |triangle: &[u32; 3]| -> Vec<u8> {
+            let change = |(place, &vertex): (&Range<usize>, &u32)| -> Change {
+                (place.clone(), integer_text(&self.bytes[place.clone()], i64::from(vertex)))
+            };
+            let changes: Vec<_> = row.places[1..].iter().zip(triangle).map(change).collect();
+            changed(&self.bytes, row.whole.clone(), &changes)
+        };
+        let rows = triangles[successors].iter().map(renumbered).collect();
+        Ok(splice.replace(row.whole.clone(), &joined_lines(rows))?)
+    }
+}
+
+fn write_point(splice: &mut Splice<'_, impl Write>, row: &Row, positions: &Positions, vertex: usize) -> Result<()> {
+    for (axis, span) in row.places.iter().take(3).enumerate() {
+        splice.replace(span.clone(), positions.text(vertex, axis).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Directions need no more than 32 bits.
+fn write_normal(splice: &mut Splice<'_, impl Write>, row: &Row, normal: Option<[f64; 3]>) -> Result<()> {
+    for (value, span) in normal.into_iter().flatten().zip(row.places.iter().skip(3)) {
+        splice.replace(span.clone(), format!("{:?}", value as f32).as_bytes())?;
+    }
+    Ok(())
+}
+
+fn edge_count(triangles: &[[u32; 3]]) -> usize {
+    let edges = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
+    let mut edges: Vec<_> = triangles.iter().flat_map(edges).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges.len()
 }
 
 /// A new file of positions and faces. Coordinates are written so that they read back to the same value.
@@ -189,13 +261,15 @@ pub fn write_fresh(mut out: impl Write, positions: &Positions, faces: &Faces) ->
 mod tests {
     use super::read;
     use crate::files::positions::Positions;
+    use crate::files::revision::Revision;
 
     fn rewritten(text: &str, moved: usize, to: [f64; 3]) -> String {
         let (positions, faces, carrier) = read(text.as_bytes().to_vec()).unwrap();
         let Positions::F64(mut points) = positions.clone() else { panic!("OFF holds 64-bit coordinates") };
         points[moved] = to;
         let mut out = Vec::new();
-        carrier.write(&mut out, &positions, &Positions::F64(points), &faces).unwrap();
+        let new = Revision::of_positions(Positions::F64(points));
+        carrier.write(&mut out, &positions, &new, &faces).unwrap();
         String::from_utf8(out).unwrap()
     }
 

@@ -30,9 +30,31 @@ impl<'a, W: Write> Splice<'a, W> {
     }
 }
 
+/// New content for a stretch of bytes.
+pub type Change = (Range<usize>, Vec<u8>);
+
+/// The bytes at `span` with these changes, which lie in it in rising order.
+pub fn changed(source: &[u8], span: Range<usize>, changes: &[Change]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(span.len());
+    let mut done = span.start;
+    for (place, new) in changes {
+        bytes.extend_from_slice(&source[done..place.start]);
+        bytes.extend_from_slice(new);
+        done = place.end;
+    }
+    bytes.extend_from_slice(&source[done..span.end]);
+    bytes
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Splice;
+    use super::{Splice, changed};
+
+    #[test]
+    fn a_stretch_is_copied_with_its_changes() {
+        let changes = [(4..7, b"2".to_vec()), (8..8, b"more ".to_vec())];
+        assert_eq!(changed(b"one two three four", 4..13, &changes), b"2 more three");
+    }
 
     #[test]
     fn the_rest_is_copied_byte_for_byte() {

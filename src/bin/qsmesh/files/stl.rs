@@ -1,5 +1,5 @@
 //! STL. Corners at equal places are welded into vertices. A binary file keeps its header, its attribute bytes and all
-//! facets that did not move; an ASCII file becomes a binary one.
+//! facets that stay as they are; an ASCII file becomes a binary one.
 //!
 //! `stl_io` reads in the tests only: it takes a binary file whose header begins with `solid ` for text, reads just the
 //! first solid of an ASCII file, and drops header and attributes.
@@ -11,6 +11,7 @@ use std::ops::Range;
 use super::faces::Faces;
 use super::normals;
 use super::positions::Positions;
+use super::revision::Revision;
 use super::splice::Splice;
 use super::text::{Lines, brief, number, tokens};
 use crate::failure::{Failure, Result};
@@ -153,28 +154,46 @@ impl Carrier {
         vec![what.to_string()]
     }
 
-    /// Writes a binary file with the new positions. Returns what to tell the user.
-    pub fn write(&self, out: impl Write, old: &Positions, new: &Positions, faces: &Faces) -> Result<Option<String>> {
+    /// Writes the mesh as it has become, as a binary file. Returns what to tell the user.
+    pub fn write(&self, out: impl Write, old: &Positions, new: &Revision, faces: &Faces) -> Result<Vec<String>> {
         let Some(bytes) = &self.binary else {
-            write_fresh(out, new, faces)?;
-            return Ok(Some("ASCII STL is written as binary STL; names of solids are not kept".to_string()));
+            write_fresh(out, &new.positions, &Faces::of_triangles(new.triangles(faces).to_vec()))?;
+            return Ok(vec!["ASCII STL is written as binary STL; names of solids are not kept".to_string()]);
         };
         let mut splice = Splice::new(bytes, out);
-        for (number, triangle) in faces.triangles.iter().enumerate() {
-            let moved = triangle.map(|vertex| new.moved(old, vertex as usize));
-            if moved.contains(&true) {
-                let start = HEADER + number * FACET;
-                let corners = triangle.map(|vertex| new.at(vertex as usize));
-                splice.replace(start..start + 12, &packed(normals::of_triangle(corners)))?;
-                for (corner, _) in moved.iter().enumerate().filter(|(_, moved)| **moved) {
-                    let start = start + 12 * (corner + 1);
-                    splice.replace(start..start + 12, &packed(corners[corner]))?;
-                }
-            }
+        splice.replace(HEADER - 4..HEADER, &count(new.triangles(faces))?.to_le_bytes())?;
+        for (face, former) in faces.triangles.iter().enumerate() {
+            let start = HEADER + face * FACET;
+            let facet = &bytes[start..start + FACET];
+            let facets = new.successors(face).map(|t| refaceted(facet, *former, new.triangles(faces)[t], old, new));
+            splice.replace(start..start + FACET, &facets.collect::<Vec<_>>().concat())?;
         }
         splice.finish()?;
-        Ok(new.any_moved(old).then(|| "the normals of moved facets were recomputed".to_string()))
+        let changes = new.changes(old, faces);
+        Ok(if changes { vec!["the normals of changed facets were recomputed".to_string()] } else { vec![] })
     }
+}
+
+/// A facet that has become `triangle`; it keeps its attribute bytes, and its corners where they are as they were.
+fn refaceted(facet: &[u8], former: [u32; 3], triangle: [u32; 3], old: &Positions, new: &Revision) -> Vec<u8> {
+    let mut facet = facet.to_vec();
+    let corners = triangle.map(|vertex| new.positions.at(vertex as usize));
+    let mut normal = None;
+    for (corner, (&vertex, former)) in triangle.iter().zip(former.map(|v| v as usize)).enumerate() {
+        let same = new.vertex(former) == Some(vertex as usize) && new.moved(old, former).is_none();
+        if !same {
+            facet[12 * (corner + 1)..12 * (corner + 2)].copy_from_slice(&packed(corners[corner]));
+            normal = Some(normals::of_triangle(corners));
+        }
+    }
+    if let Some(normal) = normal {
+        facet[..12].copy_from_slice(&packed(normal));
+    }
+    facet
+}
+
+fn count(triangles: &[[u32; 3]]) -> Result<u32> {
+    u32::try_from(triangles.len()).map_err(|_| Failure::new("STL cannot hold so many facets"))
 }
 
 /// Three 32-bit numbers.
@@ -184,7 +203,7 @@ fn packed(vector: [f64; 3]) -> Vec<u8> {
 
 /// A new binary file. `positions` are written as 32-bit numbers.
 pub fn write_fresh(mut out: impl Write, positions: &Positions, faces: &Faces) -> Result<()> {
-    let count = u32::try_from(faces.triangles.len()).map_err(|_| Failure::new("STL cannot hold so many facets"))?;
+    let count = count(&faces.triangles)?;
     let mut header = [0; HEADER];
     header[..6].copy_from_slice(b"qsmesh");
     header[HEADER - 4..].copy_from_slice(&count.to_le_bytes());
@@ -203,6 +222,7 @@ mod tests {
     use super::{FACET, HEADER, read, write_fresh};
     use crate::files::faces::Faces;
     use crate::files::positions::Positions;
+    use crate::files::revision::Revision;
 
     const TWO_SOLIDS: &str = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
         endloop\nendfacet\nendsolid\nSOLID b\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 1 0 -0\nVERTEX 1 1 0\n\
@@ -229,7 +249,8 @@ mod tests {
         let Positions::F32(mut moved) = old.clone() else { panic!("STL holds 32-bit coordinates") };
         moved[0] = [-1.0, 0.0, 0.0];
         let mut out = Vec::new();
-        carrier.write(&mut out, &old, &Positions::F32(moved), &faces).unwrap();
+        let new = Revision::of_positions(Positions::F32(moved));
+        carrier.write(&mut out, &old, &new, &faces).unwrap();
         assert_eq!(out[..HEADER + 12], bytes[..HEADER + 12]);
         assert_eq!(out[HEADER + 12..HEADER + 16], (-1.0_f32).to_le_bytes());
         assert_eq!(out[HEADER + 24..HEADER + FACET], bytes[HEADER + 24..HEADER + FACET]);

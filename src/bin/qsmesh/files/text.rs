@@ -109,6 +109,24 @@ pub fn number<T: FromStr>(source: &[u8], span: Range<usize>, line: usize) -> Res
     text.parse().map_err(|_| Failure::at_line(line, format!("`{}` is not a number of the kind expected", brief(&text))))
 }
 
+/// `text` is an integer written in a file; its text for `value`, which is the same text if it says that already.
+pub fn integer_text(text: &[u8], value: i64) -> Vec<u8> {
+    let same = std::str::from_utf8(text).ok().and_then(|text| text.parse::<i64>().ok()) == Some(value);
+    if same { text.to_vec() } else { value.to_string().into_bytes() }
+}
+
+/// Whole lines one after the other; where the last line of a file is repeated, it may lack its end.
+pub fn joined_lines(lines: Vec<Vec<u8>>) -> Vec<u8> {
+    let mut all: Vec<u8> = Vec::new();
+    for line in lines {
+        if all.last().is_some_and(|end| !matches!(end, b'\n' | b'\r')) {
+            all.push(b'\n');
+        }
+        all.extend(line);
+    }
+    all
+}
+
 /// Enough of a token to find it by.
 pub fn brief(text: &str) -> String {
     let mut short: String = text.chars().take(24).map(|c| if c.is_control() { '?' } else { c }).collect();
@@ -131,7 +149,7 @@ pub fn require_text(source: &[u8]) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lines, number, tokens};
+    use super::{Lines, integer_text, joined_lines, number, tokens};
 
     fn words(source: &[u8]) -> Vec<(usize, Vec<String>)> {
         let word = |span| String::from_utf8_lossy(&source[span]).into_owned();
@@ -149,6 +167,18 @@ mod tests {
         let lines = words(b"\xEF\xBB\xBFf 1 \\\n 2 3\\\r\n4\nv # no\n#all\\");
         let expected = [(1, vec!["f", "1", "2", "3", "4"]), (4, vec!["v"]), (5, vec![])];
         assert_eq!(lines, expected.map(|(n, w)| (n, w.into_iter().map(String::from).collect::<Vec<_>>())));
+    }
+
+    #[test]
+    fn integers_keep_their_spelling() {
+        assert_eq!(integer_text(b"+07", 7), b"+07");
+        assert_eq!(integer_text(b"+07", 6), b"6");
+    }
+
+    #[test]
+    fn a_last_line_without_end_can_be_repeated() {
+        assert_eq!(joined_lines(vec![b"a".to_vec(), b"b".to_vec()]), b"a\nb");
+        assert_eq!(joined_lines(vec![b"a\r\n".to_vec(), b"b\r\n".to_vec()]), b"a\r\nb\r\n");
     }
 
     #[test]

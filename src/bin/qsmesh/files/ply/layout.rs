@@ -1,11 +1,20 @@
 //! What the header says about the payload.
 
 use std::io::Cursor;
+use std::ops::Range;
 
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, Encoding, Header, PropertyType, ScalarType};
 
 use crate::failure::{Failure, Result};
+use crate::files::text::{Line, Lines};
+
+/// Names under which other elements than faces name vertices.
+const REFERENCES: [&str; 4] = ["vertex1", "vertex2", "vertex_index", "vertex_indices"];
+/// Names of lists of a face that go around its corners, with the same number of values for each.
+const AROUND_CORNERS: [&str; 3] = ["texcoord", "texcoords", "color"];
+/// Names of numbers of a face whose borders are seams.
+const REGIONS: [&str; 2] = ["texnumber", "material_index"];
 
 /// A declared property.
 pub struct Property {
@@ -26,12 +35,23 @@ impl Property {
 pub struct Element {
     pub name: String,
     pub count: usize,
+    /// Where the count is written in the header.
+    pub count_place: Range<usize>,
     pub properties: Vec<Property>,
 }
 
 impl Element {
     fn property(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|property| property.name == name)
+    }
+
+    /// Properties of these names that hold integers (or, if not `integers`, anything).
+    fn properties_named(&self, names: &[&str], integers: bool) -> Vec<usize> {
+        let fits = |property: &Property| {
+            let is_float = matches!(property.item(), ScalarType::Float | ScalarType::Double);
+            names.contains(&property.name.as_str()) && !(integers && is_float)
+        };
+        (0..self.properties.len()).filter(|&p| fits(&self.properties[p])).collect()
     }
 }
 
@@ -51,6 +71,8 @@ pub struct Layout {
     pub normals: Option<[usize; 3]>,
     /// The element of that name and its list of vertex indices.
     pub face: Option<(usize, usize)>,
+    /// Properties nx, ny, nz of a face, if all are there and floating-point.
+    pub face_normals: Option<[usize; 3]>,
 }
 
 /// A number of a vertex row that may be written anew.
@@ -73,7 +95,7 @@ impl Layout {
         let payload = end_of_header(bytes)?;
         let text = String::from_utf8_lossy(&bytes[..payload]);
         let header = parse_header(&text)?;
-        let elements = elements(&header);
+        let elements = elements(&header, &count_places(&bytes[..payload]))?;
         check_repetitions(&text, &elements)?;
         let find = |name: &str| elements.iter().position(|element| element.name == name);
         let vertex = find("vertex").ok_or_else(|| Failure::new("the header declares no element `vertex`"))?;
@@ -82,9 +104,39 @@ impl Layout {
         }
         let face = find("face").map(|face| index_list(&elements[face]).map(|list| (face, list))).transpose()?;
         let coordinates = coordinates(&elements[vertex])?;
+        let normals_of_faces = face.and_then(|(face, _)| normals(&elements[face]));
         let normals = normals(&elements[vertex]);
         let payload_line = text.lines().count() + 1;
-        Ok(Self { encoding: header.encoding, payload, payload_line, elements, vertex, coordinates, normals, face })
+        Ok(Self {
+            encoding: header.encoding,
+            payload,
+            payload_line,
+            elements,
+            vertex,
+            coordinates,
+            normals,
+            face,
+            face_normals: normals_of_faces,
+        })
+    }
+
+    /// Properties that name vertices, of an element that is neither vertices nor faces.
+    pub fn references(&self, element: usize) -> Vec<usize> {
+        let known = element == self.vertex || self.face.is_some_and(|(face, _)| face == element);
+        if known { Vec::new() } else { self.elements[element].properties_named(&REFERENCES, true) }
+    }
+
+    /// Lists of a face that go around its corners.
+    pub fn corner_lists(&self) -> Vec<usize> {
+        let Some((face, _)) = self.face else { return Vec::new() };
+        let face = &self.elements[face];
+        let is_list = |&p: &usize| matches!(face.properties[p].kind, PropertyType::List(..));
+        face.properties_named(&AROUND_CORNERS, false).into_iter().filter(is_list).collect()
+    }
+
+    /// Numbers of a face whose borders are seams.
+    pub fn regions(&self) -> Vec<usize> {
+        self.face.map_or_else(Vec::new, |(face, _)| self.elements[face].properties_named(&REGIONS, false))
     }
 
     /// The type of the coordinates: float or double.
@@ -163,27 +215,42 @@ fn parse_header(text: &str) -> Result<Header> {
     })
 }
 
-fn elements(header: &Header) -> Vec<Element> {
-    let element = |(name, element): (&String, &ply_rs_bw::ply::ElementDef)| Element {
+/// Places of the last word of each line that declares an element.
+fn count_places(header: &[u8]) -> Vec<Range<usize>> {
+    let declared = |line: Line| {
+        let text = &header[line.span.clone()];
+        let is_element = text.split(u8::is_ascii_whitespace).find(|word| !word.is_empty()) == Some(b"element");
+        let end = line.span.start + text.trim_ascii_end().len();
+        let start = header[..end].iter().rposition(u8::is_ascii_whitespace).map_or(0, |at| at + 1);
+        is_element.then_some(start..end)
+    };
+    Lines::of(header).filter_map(declared).collect()
+}
+
+/// Fails where the header has not one line for each element.
+fn elements(header: &Header, count_places: &[Range<usize>]) -> Result<Vec<Element>> {
+    if count_places.len() != header.elements.len() {
+        return Err(Failure::new("the header declares two elements of the same name"));
+    }
+    let element = |((name, element), place): ((&String, &ply_rs_bw::ply::ElementDef), &Range<usize>)| Element {
         name: name.clone(),
         count: element.count,
+        count_place: place.clone(),
         properties: element
             .properties
             .iter()
             .map(|(name, property)| Property { name: name.clone(), kind: property.data_type.clone() })
             .collect(),
     };
-    header.elements.iter().map(element).collect()
+    Ok(header.elements.iter().zip(count_places).map(element).collect())
 }
 
 /// The parser lets a later declaration of the same name replace the earlier one, which would misread every row.
 fn check_repetitions(text: &str, elements: &[Element]) -> Result<()> {
-    let lines =
-        |keyword: &str| text.lines().filter(|line| line.split_ascii_whitespace().next() == Some(keyword)).count();
-    if lines("element") != elements.len() {
-        return Err(Failure::new("the header declares two elements of the same name"));
-    }
-    if lines("property") != elements.iter().map(|element| element.properties.len()).sum::<usize>() {
+    let is_property = |line: &&str| line.split_ascii_whitespace().next() == Some("property");
+    if text.lines().filter(is_property).count()
+        != elements.iter().map(|element| element.properties.len()).sum::<usize>()
+    {
         return Err(Failure::new("the header declares two properties of the same name in one element"));
     }
     Ok(())

@@ -1,5 +1,5 @@
-//! PLY. The file's bytes are kept and only coordinates and normals are replaced in them, so that every element,
-//! property, comment and number stays as it was written.
+//! PLY. The file's bytes are kept and only what changes is replaced in them, so that every element, property, comment
+//! and number stays as it was written.
 //!
 //! The header is parsed and new files are written by `ply-rs-bw`. Its payload reader isn't used: it yields values
 //! without their places, so that a file could only be written anew, with its comments moved and its numbers respelled,
@@ -9,19 +9,21 @@ mod fresh;
 mod layout;
 mod numbers;
 mod rows;
+mod seams;
+mod write;
 
 use std::io::Write;
 
 use ply_rs_bw::ply::ScalarType;
 
 pub use self::fresh::write_fresh;
-use self::layout::{Edit, Layout, Number};
-use self::numbers::{Binary, integer, number, written};
+use self::layout::Layout;
+use self::numbers::{Binary, integer, number};
 use self::rows::{Row, walk};
+use self::write::Writer;
 use super::faces::Faces;
-use super::normals;
 use super::positions::{Positions, Stored};
-use super::splice::Splice;
+use super::revision::Revision;
 use crate::failure::{Failure, Result};
 
 /// A PLY file as it was read.
@@ -105,49 +107,13 @@ impl Carrier {
         self.layout.beside()
     }
 
-    /// Writes the file with the new positions and, where it has normals, new normals. Returns what to tell the user.
-    pub fn write(&self, out: impl Write, old: &Positions, new: &Positions, faces: &Faces) -> Result<Option<String>> {
-        let mut splice = Splice::new(&self.bytes, out);
-        let renew = self.layout.normals.is_some() && new.any_moved(old);
-        let normals = if renew { normals::of_vertices(new, &faces.triangles) } else { Vec::new() };
-        let edits = self.layout.edits(renew);
-        let mut vertex = 0;
-        walk(&self.bytes, &self.layout, |element, row| {
-            if element == self.layout.vertex {
-                let moved = new.moved(old, vertex).then_some(new);
-                let normal = normals.get(vertex).copied().flatten();
-                for edit in &edits {
-                    if let Some(number) = self.renewed(*edit, vertex, moved, normal) {
-                        splice.replace(row.of(edit.property)[0].clone(), &number)?;
-                    }
-                }
-                vertex += 1;
-            }
-            Ok(())
-        })?;
-        splice.finish()?;
-        Ok(renew.then(|| "the vertex normals were recomputed from the new positions".to_string()))
+    /// Edges along which texture coordinates or materials of the faces part; all faces are triangles.
+    pub fn seams(&self, faces: &Faces) -> Result<Vec<[u32; 2]>> {
+        seams::find(&self.bytes, &self.layout, faces)
     }
 
-    /// The new text or bytes of a number of a vertex; `None` if it stays.
-    fn renewed(&self, edit: Edit, vertex: usize, to: Option<&Positions>, normal: Option<[f64; 3]>) -> Option<Vec<u8>> {
-        match edit.number {
-            Number::Coordinate(axis) => to.map(|positions| self.coordinate(positions, vertex, axis)),
-            Number::Normal(axis) => normal.map(|normal| self.normal(edit.property, normal[axis])),
-        }
-    }
-
-    fn coordinate(&self, positions: &Positions, vertex: usize, axis: usize) -> Vec<u8> {
-        match positions {
-            Positions::F32(p) => written(self.layout.encoding, p[vertex][axis]),
-            Positions::F64(p) => written(self.layout.encoding, p[vertex][axis]),
-        }
-    }
-
-    fn normal(&self, property: usize, value: f64) -> Vec<u8> {
-        match self.layout.elements[self.layout.vertex].properties[property].item() {
-            ScalarType::Float => written(self.layout.encoding, value as f32),
-            _ => written(self.layout.encoding, value),
-        }
+    /// Writes the file as it has become. Returns what to tell the user.
+    pub fn write(&self, out: impl Write, old: &Positions, new: &Revision, faces: &Faces) -> Result<Vec<String>> {
+        Writer::new(&self.bytes, &self.layout, old, new, faces)?.write(out)
     }
 }

@@ -3,6 +3,7 @@
 use ply_rs_bw::ply::{Encoding, ScalarType};
 
 use crate::files::positions::Stored;
+use crate::files::text::integer_text;
 
 /// A number with a fixed width in the binary encodings.
 pub trait Binary: Sized {
@@ -74,6 +75,19 @@ pub fn written<T: Stored + Binary>(encoding: Encoding, value: T) -> Vec<u8> {
     }
 }
 
+/// An index or a count in the place of `now`, which stays as it is if it says that already.
+pub fn written_integer(kind: &ScalarType, encoding: Encoding, now: &[u8], value: usize) -> Vec<u8> {
+    if encoding == Encoding::Ascii {
+        return integer_text(now, value as i64);
+    }
+    // A new number of a vertex is never above its former one, so no byte that is cut off holds anything.
+    let mut bytes = (value as u64).to_le_bytes()[..width(kind)].to_vec();
+    if encoding == Encoding::BinaryBigEndian {
+        bytes.reverse();
+    }
+    bytes
+}
+
 /// At most eight bytes in little-endian order, filled up with 0.
 fn little(encoding: Encoding, bytes: &[u8]) -> [u8; 8] {
     let mut all = [0; 8];
@@ -88,7 +102,7 @@ fn little(encoding: Encoding, bytes: &[u8]) -> [u8; 8] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Encoding, ScalarType, integer, number, written};
+    use super::{Encoding, ScalarType, integer, number, written, written_integer};
 
     #[test]
     fn signed_and_unsigned_in_both_byte_orders() {
@@ -108,6 +122,14 @@ mod tests {
             assert_eq!(number::<f32>(encoding, &written(encoding, 0.1_f32)), Some(0.1));
             assert_eq!(number::<f64>(encoding, &written(encoding, -1e-300)), Some(-1e-300));
         }
+    }
+
+    #[test]
+    fn indices_are_written_in_their_width_and_order() {
+        let index = |kind, encoding| written_integer(&kind, encoding, b"0", 0x102);
+        assert_eq!(index(ScalarType::UShort, Encoding::BinaryBigEndian), [1, 2]);
+        assert_eq!(index(ScalarType::Int, Encoding::BinaryLittleEndian), [2, 1, 0, 0]);
+        assert_eq!(index(ScalarType::Int, Encoding::Ascii), b"258");
     }
 
     #[test]

@@ -10,10 +10,12 @@ use crate::failure::{Failure, Result};
 use crate::files::text::{Line, Lines, brief, tokens};
 
 /// Places of the values of one row.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Row {
     /// Line of the file, from 1; `None` in the binary encodings.
     pub line: Option<usize>,
+    /// All of it, with the end of its line.
+    pub whole: Range<usize>,
     values: Vec<Range<usize>>,
     starts: Vec<usize>,
 }
@@ -91,11 +93,13 @@ impl<'a> Source<'a> {
             }
             Self::Binary { bytes, at, encoding } => {
                 row.clear(None);
+                let start = *at;
                 for property in &element.properties {
                     if !read_property(bytes, at, *encoding, &property.kind, row)? {
                         return Ok(false);
                     }
                 }
+                row.whole = start..*at;
                 Ok(true)
             }
         }
@@ -104,6 +108,7 @@ impl<'a> Source<'a> {
 
 fn read_line(bytes: &[u8], line: Line, element: &Element, row: &mut Row) -> Result<()> {
     row.clear(Some(line.number));
+    row.whole = line.span.start..line.full_end;
     let mut tokens = tokens(bytes, line.span);
     let missing = |name: &str| Failure::at_line(line.number, format!("the value of property `{name}` is missing"));
     for property in &element.properties {

@@ -1,12 +1,19 @@
-//! Wavefront OBJ. Every line is kept; only coordinates of moved vertices and vertex normals are written anew.
+//! Wavefront OBJ. Every line is kept; only coordinates of moved vertices, vertex normals and what names a vertex that
+//! has another number are written anew, and lines go with what they describe.
+
+mod corner;
+mod texture;
+mod write;
 
 use std::io::Write;
 use std::ops::Range;
 
+use self::corner::zero_based;
+use self::texture::Textures;
+use self::write::Writer;
 use super::faces::Faces;
-use super::normals;
 use super::positions::Positions;
-use super::splice::Splice;
+use super::revision::Revision;
 use super::text::{Line, Lines, brief, number, require_text, tokens};
 use crate::failure::{Failure, Result};
 
@@ -135,17 +142,6 @@ impl Survey {
     }
 }
 
-/// An index counted from 0; written ones count from 1, or back from the last of `so_far` if negative.
-fn zero_based(text: &[u8], so_far: usize) -> Option<i64> {
-    let index: i64 = std::str::from_utf8(text).ok()?.parse().ok()?;
-    match index {
-        0 => None,
-        1.. => Some(index - 1),
-        // A vertex before the first one comes out negative and is refused with its face.
-        _ => index.checked_add(i64::try_from(so_far).ok()?),
-    }
-}
-
 impl Carrier {
     /// Line in which `vertex` is written.
     pub fn place_of_vertex(&self, vertex: usize) -> Option<usize> {
@@ -158,48 +154,14 @@ impl Carrier {
         self.beside.clone()
     }
 
-    /// Writes the file with the new positions. Returns what to tell the user about its normals.
-    pub fn write(&self, out: impl Write, old: &Positions, new: &Positions, faces: &Faces) -> Result<Option<String>> {
-        let fate = if new.any_moved(old) { self.normals } else { Normals::Absent };
-        let normals = match fate {
-            Normals::OnePerVertex => normals::of_vertices(new, &faces.triangles),
-            _ => Vec::new(),
-        };
-        let mut splice = Splice::new(&self.bytes, out);
-        let (mut vertex, mut normal) = (0, 0);
-        for line in lines(&self.bytes) {
-            if let Some(places) = record(&self.bytes, &line, "v") {
-                if new.moved(old, vertex) {
-                    write_point(&mut splice, places, new, vertex)?;
-                }
-                vertex += 1;
-            } else if let Some(places) = record(&self.bytes, &line, "vn").filter(|_| fate == Normals::OnePerVertex) {
-                write_normal(&mut splice, places, normals[normal])?;
-                normal += 1;
-            } else if fate == Normals::Loose {
-                self.drop_normals(&mut splice, &line)?;
-            }
-        }
-        splice.finish()?;
-        Ok(fate.note())
+    /// Edges along which texture coordinates, materials, groups or smoothing groups part; all faces are triangles.
+    pub fn seams(&self, faces: &Faces) -> Vec<[u32; 2]> {
+        Textures::read(&self.bytes).seams(&faces.triangles)
     }
 
-    /// Leaves out a `vn` record, and the normals of the corners of a face.
-    fn drop_normals(&self, splice: &mut Splice<'_, impl Write>, line: &Line) -> Result<()> {
-        if record(&self.bytes, line, "vn").is_some() {
-            splice.replace(line.span.start..line.full_end, b"")?;
-        }
-        let Some(corners) = record(&self.bytes, line, "f") else { return Ok(()) };
-        for corner in corners {
-            let text = &self.bytes[corner.clone()];
-            let slashes: Vec<usize> = (0..text.len()).filter(|&at| text[at] == b'/').collect();
-            if let [first, second] = slashes[..] {
-                // `v//vn` loses both slashes, `v/vt/vn` the second.
-                let keep = if second == first + 1 { first } else { second };
-                splice.replace(corner.start + keep..corner.end, b"")?;
-            }
-        }
-        Ok(())
+    /// Writes the file as it has become. Returns what to tell the user.
+    pub fn write(&self, out: impl Write, old: &Positions, new: &Revision, faces: &Faces) -> Result<Vec<String>> {
+        Writer::new(self, out, old, new, faces).write()
     }
 }
 
@@ -213,30 +175,6 @@ impl Normals {
             ),
         }
     }
-}
-
-fn write_point(
-    splice: &mut Splice<'_, impl Write>,
-    places: impl Iterator<Item = Range<usize>>,
-    new: &Positions,
-    vertex: usize,
-) -> Result<()> {
-    for (axis, span) in places.take(3).enumerate() {
-        splice.replace(span, new.text(vertex, axis).as_bytes())?;
-    }
-    Ok(())
-}
-
-/// Directions need no more than 32 bits.
-fn write_normal(
-    splice: &mut Splice<'_, impl Write>,
-    places: impl Iterator<Item = Range<usize>>,
-    normal: Option<[f64; 3]>,
-) -> Result<()> {
-    for (value, span) in normal.into_iter().flatten().zip(places) {
-        splice.replace(span, format!("{:?}", value as f32).as_bytes())?;
-    }
-    Ok(())
 }
 
 /// A new file of positions and faces. Coordinates are written so that they read back to the same value.
@@ -258,21 +196,23 @@ pub fn write_fresh(mut out: impl Write, positions: &Positions, faces: &Faces) ->
 mod tests {
     use super::{Normals, read};
     use crate::files::positions::Positions;
+    use crate::files::revision::Revision;
 
-    fn rewritten(text: &str, change: impl FnOnce(&mut Vec<[f64; 3]>)) -> (String, Option<String>) {
+    fn rewritten(text: &str, change: impl FnOnce(&mut Vec<[f64; 3]>)) -> (String, Vec<String>) {
         let (positions, faces, carrier) = read(text.as_bytes().to_vec()).unwrap();
         let Positions::F64(mut points) = positions.clone() else { panic!("OBJ holds 64-bit coordinates") };
         change(&mut points);
         let mut out = Vec::new();
-        let note = carrier.write(&mut out, &positions, &Positions::F64(points), &faces).unwrap();
-        (String::from_utf8(out).unwrap(), note)
+        let new = Revision::of_positions(Positions::F64(points));
+        let notes = carrier.write(&mut out, &positions, &new, &faces).unwrap();
+        (String::from_utf8(out).unwrap(), notes)
     }
 
     #[test]
     fn only_coordinates_of_moved_vertices_change() {
         let text = "# made\r\nv 1e0 +2. .5 1 0.25\r\nv 0 0 0\r\ng a\r\nv 0 1 0 # tip\r\nf -3 -2/7 \\\r\n -1\r\n";
-        let (same, note) = rewritten(text, |_| {});
-        assert_eq!((same.as_str(), note), (text, None));
+        let (same, notes) = rewritten(text, |_| {});
+        assert_eq!((same.as_str(), notes), (text, vec![]));
         let (changed, _) = rewritten(text, |points| points[2] = [0.125, 1.0, -3.0]);
         assert_eq!(changed, text.replace("v 0 1 0 #", "v 0.125 1.0 -3.0 #"));
     }
@@ -280,17 +220,17 @@ mod tests {
     #[test]
     fn one_normal_per_vertex_is_recomputed() {
         let text = "v 0 0 0\nvn 1 0 0\nv 1 0 0\nvn 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//2 -1//-1\n";
-        let (changed, note) = rewritten(text, |points| points[1] = [2.0, 0.0, 0.0]);
+        let (changed, notes) = rewritten(text, |points| points[1] = [2.0, 0.0, 0.0]);
         assert_eq!(changed, text.replace("vn 1 0 0", "vn 0.0 0.0 1.0").replace("v 1 0 0", "v 2.0 0.0 0.0"));
-        assert!(note.unwrap().contains("recomputed"));
+        assert!(notes[0].contains("recomputed"));
     }
 
     #[test]
     fn loose_normals_are_dropped_and_texture_stays() {
         let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nf 1//1 2/1/1 3/1\nf 3 2 1\n";
-        let (changed, note) = rewritten(text, |points| points[1] = [2.0, 0.0, 0.0]);
+        let (changed, notes) = rewritten(text, |points| points[1] = [2.0, 0.0, 0.0]);
         assert_eq!(changed, "v 0 0 0\nv 2.0 0.0 0.0\nv 0 1 0\nvt 0 0\nf 1 2/1 3/1\nf 3 2 1\n");
-        assert!(note.unwrap().contains("dropped"));
+        assert!(notes[0].contains("dropped"));
     }
 
     #[test]

@@ -1,0 +1,136 @@
+//! Treating the tail, alone or after smoothing: buffers in, shorter buffers out.
+
+use glam::DVec3;
+
+use crate::deviation::Surface;
+use crate::error::Error;
+use crate::memory;
+use crate::mesh::{Coordinate, Mesh};
+use crate::options::{Constraints, Options};
+use crate::preparation::Preparation;
+use crate::progress::{self, Progress};
+use crate::quality::Measurement;
+use crate::report::Report;
+use crate::smooth;
+use crate::sweep::Surroundings;
+use crate::tail::{self, Outcome, Sources, TailOptions, TailReport};
+
+/// Share of the work that the sweeps are taken for.
+const SWEEPS: f64 = 0.7;
+
+/// What [`improve`] did.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Improvement {
+    /// The sweeps: `after` is the mesh between the two stages.
+    pub smoothing: Report,
+    /// The treatment of the tail. Its `before`, and all that it compares with, is the mesh as it came into the call.
+    pub tail: TailReport,
+}
+
+/// Cures the triangles that no sweep can help, by moves, flips, collapses and removals, worst first.
+///
+/// Both buffers are changed in place and get shorter. Surviving vertices keep their order, vertices that need not move
+/// their bits, untouched triangles their vertices, order and winding. The volume of a closed mesh stays as it is; features,
+/// the boundary and locked vertices stay where they are. `sources` is overwritten. Of `options` the number of iterations
+/// has no meaning here. On an error nothing has changed.
+///
+/// # Errors
+/// As for [`smooth`](crate::smooth), and [`Error::MaskLength`].
+pub fn collapse_tails<T: Coordinate>(
+    positions: &mut Vec<[T; 3]>,
+    triangles: &mut Vec<[u32; 3]>,
+    options: &Options,
+    tail: &TailOptions<'_>,
+    constraints: &Constraints<'_>,
+    sources: &mut Sources,
+    progress: &mut Progress<'_>,
+) -> Result<TailReport, Error> {
+    tail.validate()?;
+    tail.check_mask(triangles.len())?;
+    let prepared = Preparation::new(positions, triangles, options, constraints)?;
+    progress::tell(progress, 0.0)?;
+    let around = prepared.surroundings(options);
+    let start = memory::copied(&prepared.mesh.positions)?;
+    let mut outcome = tail::run(&around, start, tail, progress)?;
+    if options.measure {
+        outcome.report.before = Measurement::of(&around.mesh.positions, around.mesh.triangles, around.mesh.unit)?;
+        measure(&around, &mut outcome)?;
+    }
+    let output = Output::new(&prepared.mesh, positions, outcome)?;
+    progress::tell(progress, 1.0)?;
+    Ok(output.deliver(positions, triangles, sources))
+}
+
+/// [`smooth`](crate::smooth), then [`collapse_tails`], in one call: features, deviations and the original surface are
+/// those of the mesh as it came in.
+///
+/// # Errors
+/// As for [`smooth`](crate::smooth), and [`Error::MaskLength`].
+pub fn improve<T: Coordinate>(
+    positions: &mut Vec<[T; 3]>,
+    triangles: &mut Vec<[u32; 3]>,
+    options: &Options,
+    tail: &TailOptions<'_>,
+    constraints: &Constraints<'_>,
+    sources: &mut Sources,
+    progress: &mut Progress<'_>,
+) -> Result<Improvement, Error> {
+    tail.validate()?;
+    tail.check_mask(triangles.len())?;
+    let prepared = Preparation::new(positions, triangles, options, constraints)?;
+    progress::tell(progress, 0.0)?;
+    let around = prepared.surroundings(options);
+    let (new, mut smoothing) = smooth::sweeps(&prepared, options, &mut |done| progress(SWEEPS * done))?;
+    let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
+    let mut outcome = tail::run(&around, new, tail, rest)?;
+    smoothing.seconds.tail = outcome.report.seconds;
+    smoothing.seconds.total += outcome.report.seconds;
+    if options.measure {
+        outcome.report.before = smoothing.before;
+        measure(&around, &mut outcome)?;
+    }
+    let output = Output::new(&prepared.mesh, positions, outcome)?;
+    progress::tell(progress, 1.0)?;
+    Ok(Improvement { smoothing, tail: output.deliver(positions, triangles, sources) })
+}
+
+fn measure(around: &Surroundings<'_>, outcome: &mut Outcome) -> Result<(), Error> {
+    let Outcome { positions, triangles, sources, report, lost_height } = outcome;
+    let mesh = around.mesh;
+    let mut kept: Vec<DVec3> = memory::reserved(sources.vertex.len())?;
+    kept.extend(sources.vertex.iter().map(|&v| positions[v as usize]));
+    report.after = Measurement::of(&kept, triangles, mesh.unit)?;
+    report.volume_relative_change = report.after.volume_change_from(&report.before);
+    let surface = Surface::new(mesh, around.stars);
+    let moved = sources.vertex.iter().filter(|&&v| positions[v as usize] != mesh.positions[v as usize]);
+    let farthest = moved.map(|&v| surface.distance(v, positions[v as usize])).fold(0.0, f64::max);
+    report.max_deviation = lost_height.max(farthest) * mesh.unit;
+    Ok(())
+}
+
+/// Everything that goes out, ready, so that nothing can fail any more.
+struct Output<T> {
+    positions: Vec<[T; 3]>,
+    triangles: Vec<[u32; 3]>,
+    sources: Sources,
+    report: TailReport,
+}
+
+impl<T: Coordinate> Output<T> {
+    fn new(mesh: &Mesh<'_>, stored: &[[T; 3]], outcome: Outcome) -> Result<Self, Error> {
+        let Outcome { positions: new, triangles, sources, report, .. } = outcome;
+        let mut positions = memory::reserved(sources.vertex.len())?;
+        positions.extend(sources.vertex.iter().map(|&v| {
+            let v = v as usize;
+            if new[v] == mesh.positions[v] { stored[v] } else { mesh.stored(new[v]) }
+        }));
+        Ok(Self { positions, triangles, sources, report })
+    }
+
+    fn deliver(self, positions: &mut Vec<[T; 3]>, triangles: &mut Vec<[u32; 3]>, sources: &mut Sources) -> TailReport {
+        *positions = self.positions;
+        *triangles = self.triangles;
+        *sources = self.sources;
+        self.report
+    }
+}
