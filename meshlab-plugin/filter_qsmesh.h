@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// qsmesh as filters of MeshLab 2020.09, 2022.02 and 2025.07: options in, progress, report out. All geometry is the
 /// library's.
-///
-/// QSMESH_MESHLAB_INTERFACE, set by the build from the MeshLab source tree, says which of the three interfaces that tree
-/// has: 2020, 2022 or 2025.
 #ifndef QSMESH_FILTER_QSMESH_H
 #define QSMESH_FILTER_QSMESH_H
 
@@ -13,12 +10,7 @@
 #include <QObject>
 #include <QVariant>
 
-#if QSMESH_MESHLAB_INTERFACE == 2020
-#include <common/interfaces.h>
-#include <common/mlexception.h>
-#else
-#include <common/plugins/interfaces/filter_plugin.h>
-#endif
+#include "host.h"
 
 #if QSMESH_MESHLAB_INTERFACE == 2020
 using FilterBase = MeshFilterInterface;
@@ -66,7 +58,6 @@ private:
     /// Runs a filter on the current layer. Writes the log and returns the figures by name. Throws MLException and
     /// nothing else; the layer is then as it was.
     std::map<std::string, QVariant> apply(int filter, MeshDocument&, const RichParameterList&, vcg::CallBackPos*);
-    std::map<std::string, QVariant> smooth(MeshModel&, const RichParameterList&, vcg::CallBackPos*);
     void say(const std::string& line);
 };
 
