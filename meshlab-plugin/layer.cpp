@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "layer.h"
 
+#include <utility>
+
 namespace qsmesh {
 
 namespace {
@@ -50,22 +52,37 @@ std::vector<Corner> gatherCorners(const CMeshO& mesh, const Packed& packed, cons
     return corners;
 }
 
+/// The elements that stay, or that go: those that a source names, or that none names.
 template <class Element>
-std::vector<Element*> gather(const std::vector<Element*>& elements, const std::vector<uint32_t>& sources) {
-    std::vector<Element*> gathered;
-    for (const uint32_t source : sources) gathered.push_back(elements[source]);
-    return gathered;
-}
-
-/// The elements that no source names.
-template <class Element>
-std::vector<Element*> gone(const std::vector<Element*>& elements, const std::vector<uint32_t>& sources) {
+std::vector<Element*> pick(const std::vector<Element*>& elements, const std::vector<uint32_t>& sources, bool staying) {
     std::vector<bool> stays(elements.size(), false);
     for (const uint32_t source : sources) stays[source] = true;
-    std::vector<Element*> result;
+    std::vector<Element*> picked;
     for (size_t element = 0; element < elements.size(); ++element)
-        if (!stays[element]) result.push_back(elements[element]);
-    return result;
+        if (stays[element] == staying) picked.push_back(elements[element]);
+    return picked;
+}
+
+/// Makes a face carry all that another one carries.
+void copyFace(CMeshO& mesh, CFaceO& to, CFaceO& from) {
+    to.ImportData(from);
+    for (const auto& attribute : mesh.face_attr)
+        attribute._handle->CopyValue(vcg::tri::Index(mesh, to), vcg::tri::Index(mesh, from), attribute._handle);
+}
+
+/// The face for each triangle: its source or, where an earlier triangle has that, one of the unused faces, which are
+/// taken from the end. There are enough of them, as a mesh never comes out with more triangles than went in.
+std::vector<CFaceO*> placeFaces(const std::vector<CFaceO*>& faces, const std::vector<uint32_t>& sources,
+                                std::vector<CFaceO*>& unused) {
+    std::vector<bool> taken(faces.size(), false);
+    std::vector<CFaceO*> places;
+    for (const uint32_t source : sources) {
+        if (taken[source] && unused.empty()) throw MLException("more triangles came out than went in");
+        places.push_back(taken[source] ? unused.back() : faces[source]);
+        if (taken[source]) unused.pop_back();
+        taken[source] = true;
+    }
+    return places;
 }
 
 void writeFaces(CMeshO& mesh, const Packed& packed, const std::vector<Corner>& corners) {
@@ -101,12 +118,17 @@ void reconnect(MeshModel& model, Packed& packed, const Sources& sources) {
     // What needs memory comes before what changes the layer.
     CMeshO& mesh = model.cm;
     const std::vector<Corner> corners = gatherCorners(mesh, packed, sources.corners);
-    const std::vector<CVertexO*> goneVertices = gone(packed.vertices, sources.vertices);
-    const std::vector<CFaceO*> goneFaces = gone(packed.faces, sources.triangles);
-    packed.vertices = gather(packed.vertices, sources.vertices);
-    packed.faces = gather(packed.faces, sources.triangles);
+    const std::vector<CVertexO*> goneVertices = pick(packed.vertices, sources.vertices, false);
+    packed.vertices = pick(packed.vertices, sources.vertices, true);
+    std::vector<CFaceO*> goneFaces = pick(packed.faces, sources.triangles, false);
+    const std::vector<CFaceO*> former = std::move(packed.faces);
+    packed.faces = placeFaces(former, sources.triangles, goneFaces);
     // They hold pointers to neighbours of before.
     model.clearDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO);
+    for (size_t triangle = 0; triangle < packed.faces.size(); ++triangle) {
+        CFaceO* source = former[sources.triangles[triangle]];
+        if (packed.faces[triangle] != source) copyFace(mesh, *packed.faces[triangle], *source);
+    }
     writeFaces(mesh, packed, corners);
     for (CFaceO* face : goneFaces) vcg::tri::Allocator<CMeshO>::DeleteFace(mesh, *face);
     for (CVertexO* vertex : goneVertices) vcg::tri::Allocator<CMeshO>::DeleteVertex(mesh, *vertex);

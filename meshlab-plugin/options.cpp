@@ -139,13 +139,14 @@ void addOutput(Filter filter, RichParameterList& list) {
                                "Selects the faces that are still in the tail afterwards, and no others. Default: off."));
 }
 
-/// The value that was meant: a host in single precision makes 1.2 into 1.2000000477, which would be another option than
-/// everywhere else. The shortest decimal of the float is what somebody typed.
-template <class Scalar>
-double meant(Scalar value) {
+/// The value that was meant: a host keeps 1.2 as the float 1.2000000477, even if it computes in double precision, which
+/// would be another option than everywhere else. The shortest decimal of the float is what somebody typed.
+double meant(double value) {
+    const float kept = float(value);
+    if (double(kept) != value) return value;
     char text[64];
     double result = value;
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    const auto end = std::to_chars(text, text + sizeof text, kept).ptr;
     std::from_chars(text, end, result);
     return result;
 }
