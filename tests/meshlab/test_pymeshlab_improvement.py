@@ -30,7 +30,6 @@ class Wart(Case):
         layer.apply_filter('compute_color_by_function_per_face', r='20*fi', g='0', b='255-20*fi')
         mesh.add_vertex_custom_scalar_attribute(numpy.arange(7.0), 'number')
         mesh.add_face_custom_scalar_attribute(numpy.arange(10.0), 'number')
-        mesh.add_face_custom_point_attribute(numpy.arange(30.0).reshape(10, 3), 'point')
         colours, face_colours = mesh.vertex_color_matrix(), mesh.face_color_matrix()
         select(layer, vertices='vi == 2 || vi == 0', faces='fi == 3 || fi == 9')
         layer.apply_filter(IMPROVE, selected=False, keep_color_borders=False, **REMOVE)
@@ -43,7 +42,6 @@ class Wart(Case):
         self.assertEqual(set(face) & set(range(3, 10)), set(range(3, 10)))
         self.assertBits(mesh.face_scalar_array(), face.astype(float))
         self.assertBits(mesh.face_color_matrix(), face_colours[face])
-        self.assertBits(mesh.face_custom_point_attribute_matrix('point')[:, 0], 3.0 * face)
         self.assertEqual(sorted(face[mesh.face_selection_array()]), [3, 9])
         unchanged = [tuple(number[corners]) for corners in mesh.face_matrix()[face > 2]]
         self.assertEqual(unchanged, [tuple(meshes.WART_FACES[source]) for source in face[face > 2]])
