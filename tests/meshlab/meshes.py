@@ -28,7 +28,10 @@ def squashed_grid():
 
 def rotated(triangles):
     """Each triangle from its least vertex on, all of them sorted: equal for meshes that differ in numbering only."""
-    return sorted(tuple(numpy.roll(triangle, -numpy.argmin(triangle))) for triangle in numpy.asarray(triangles))
+    triangles = numpy.asarray(triangles)
+    first = triangles.argmin(axis=1)[:, None]
+    turned = numpy.take_along_axis(triangles, (first + [0, 1, 2]) % 3, axis=1)
+    return [tuple(triangle) for triangle in turned[numpy.lexsort(turned.T[::-1])].tolist()]
 
 
 def volume(vertices, faces):

@@ -69,13 +69,12 @@ def script(*filters):
     return text + '</FilterScript>\n'
 
 
-def run(folder, mesh, *filters, saved=('vc',)):
+def run(folder, mesh, *filters, root=None):
     """Runs filters on a mesh file. Returns exit status, log, and the path of the new file."""
-    root = pathlib.Path(os.environ['QSMESH_MESHLAB_ROOT'])
+    root = root or pathlib.Path(os.environ['QSMESH_MESHLAB_ROOT'])
     out = folder / 'out.ply'
     (folder / 'script.mlx').write_text(script(*filters))
-    call = ['xvfb-run', '-a', str(root / 'usr/bin/meshlabserver'), '-i', str(mesh), '-o', str(out), '-m', *saved,
-            '-s', str(folder / 'script.mlx')]
+    call = ['xvfb-run', '-a', str(root / 'usr/bin/meshlabserver'), '-i', str(mesh), '-o', str(out), '-s', str(folder / 'script.mlx')]
     done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300,
                           env={**os.environ, 'XDG_RUNTIME_DIR': str(folder), 'HOME': str(folder)})
     return done.returncode, done.stdout, out
