@@ -25,10 +25,9 @@ constexpr Description DESCRIPTIONS[] = {
         "Quasi-statistical improvement",
         "meshing_quasi_statistical_improvement",
         "Quasi-statistical improvement...",
-        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: moves, flips, and "
-        "a few collapses and removals of vertices. The connectivity changes, around bad triangles only; the enclosed "
-        "volume, creases, corners, the boundary and texture seams stay. Colours, qualities, texture coordinates, "
-        "selection and custom attributes are carried along. What could not be cured is counted by reason." QSMESH_PAPER,
+        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: by moves, flips, and a "
+        "few collapses and removals of vertices. Volume, creases, boundary and texture seams stay; all attributes are "
+        "carried along." QSMESH_PAPER,
     },
 };
 

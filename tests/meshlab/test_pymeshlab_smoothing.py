@@ -37,6 +37,8 @@ class Figures(Case):
         squares = sum((side ** 2).sum(axis=1) for side in (a - b, b - c, c - a))
         numpy.testing.assert_allclose(quality, 4 * numpy.sqrt(3) * area / squares)
         self.assertAlmostEqual(quality.mean(), values['shape_mean_after'])
+        layer.apply_filter('compute_color_from_scalar_per_face')
+        self.assertGreater(len(numpy.unique(mesh.face_color_matrix(), axis=0)), 50)
 
     def test_no_quality_is_written_unasked(self):
         layer = layer_of(*meshes.grid())
