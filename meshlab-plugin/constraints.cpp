@@ -48,6 +48,7 @@ void keepUnselectedFaces(const Packed& packed, Constraints& constraints) {
     for (const CFaceO* face : packed.faces) constraints.triangleMask.push_back(face->IsS());
 }
 
+/// Locks vertices, and with them the faces outside: the library changes no triangle that has all its vertices locked.
 void keepUnselected(const CMeshO& mesh, const Packed& packed, Constraints& constraints) {
     if (!anythingSelected(mesh))
         throw MLException("nothing is selected: select vertices or faces, or switch off Affect only selection");
@@ -97,12 +98,7 @@ std::vector<Side> sidesByEdge(const Packed& packed) {
 /// Which edges are kept.
 struct Borders {
     const Packed& packed;
-    const std::vector<uint8_t>& mask;
     bool seams, colours;
-
-    bool wanted() const { return seams || colours || !mask.empty(); }
-
-    bool isOutside(const Side& side) const { return !mask.empty() && !mask[side.face]; }
 
     bool parts(const Side& a, const Side& b) const {
         CFaceO &one = *packed.faces[a.face], &other = *packed.faces[b.face];
@@ -111,16 +107,14 @@ struct Borders {
     }
 };
 
-/// Edges along which faces part, and all edges of faces outside the selection: the library may flip any other.
+/// Edges along which faces part.
 std::vector<uint32_t> keptEdges(const Borders& borders) {
     std::vector<uint32_t> edges;
-    if (!borders.wanted()) return edges;
+    if (!borders.seams && !borders.colours) return edges;
     const std::vector<Side> sides = sidesByEdge(borders.packed);
     for (auto first = sides.begin(), end = first; first != sides.end(); first = end) {
         end = std::find_if(first, sides.end(), [&](const Side& side) { return !side.isSameEdge(*first); });
-        const bool kept = std::any_of(first, end, [&](const Side& side) {
-            return borders.isOutside(side) || borders.parts(*first, side);
-        });
+        const bool kept = std::any_of(first, end, [&](const Side& side) { return borders.parts(*first, side); });
         if (kept) edges.insert(edges.end(), {first->low, first->high});
     }
     return edges;
@@ -159,7 +153,7 @@ Constraints readConstraints(Filter filter, const RichParameterList& list, const 
     if (filter == IMPROVE) keepPolylines(mesh, packed, constraints);
     const bool seams = vcg::tri::HasPerWedgeTexCoord(mesh) && list.getBool("keep_seams");
     const bool colours = vcg::tri::HasPerFaceColor(mesh) && list.getBool("keep_color_borders");
-    constraints.edges = keptEdges({packed, constraints.triangleMask, seams, colours});
+    constraints.edges = keptEdges({packed, seams, colours});
     return constraints;
 }
 

@@ -165,6 +165,35 @@ void deletedElements(FilterPlugin& plugin, const QAction* filter) {
         require(layer.cm.vert[k].Q() == clean.cm.vert[k].Q(), "a vertex carries another one's quality");
 }
 
+bool hasEvenEnds(const CFaceO& face, int edge) {
+    return int(face.cV0(edge)->cQ()) % 2 == 0 && int(face.cV1(edge)->cQ()) % 2 == 0;
+}
+
+void edgesKeepTheirFlags(FilterPlugin& plugin, const QAction* filter) {
+    MeshDocument document;
+    MeshModel& layer = addSphere(document, 5);
+    punch(layer);
+    for (auto& face : layer.cm.face)
+        for (int edge = 0; edge < 3 && !face.IsD(); ++edge)
+            if (hasEvenEnds(face, edge)) face.SetFaceEdgeS(edge);
+    vcg::tri::UpdateFlags<CMeshO>::FaceBorderFromNone(layer.cm);
+    apply(plugin, filter, document, [](int) { return true; });
+    std::vector<bool> borders;
+    size_t selected = 0;
+    for (const auto& face : layer.cm.face)
+        for (int edge = 0; edge < 3 && !face.IsD(); ++edge) {
+            borders.push_back(face.IsB(edge));
+            selected += face.IsFaceEdgeS(edge);
+            require(!face.IsFaceEdgeS(edge) || hasEvenEnds(face, edge), "an edge is selected that was not");
+        }
+    require(selected > 100, "the selection of edges is lost");
+    vcg::tri::UpdateFlags<CMeshO>::FaceBorderFromNone(layer.cm);
+    size_t k = 0;
+    for (const auto& face : layer.cm.face)
+        for (int edge = 0; edge < 3 && !face.IsD(); ++edge, ++k)
+            require(borders[k] == face.IsB(edge), "an edge is not marked as what it is, border or not");
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -182,6 +211,7 @@ int main(int count, char** arguments) {
         aCallbackThrows(*plugin, filter);
         noCallback(*plugin, filter);
         deletedElements(*plugin, filter);
+        edgesKeepTheirFlags(*plugin, filter);
     }
     return wrong != 0;
 }

@@ -84,12 +84,17 @@ class Sheet(Case):
         layer = layer_from(self.folder / 'in.obj')
         mesh = layer.current_mesh()
         mesh.add_vertex_custom_scalar_attribute(numpy.arange(float(len(self.vertices))), 'number')
+        mesh.add_face_custom_scalar_attribute(numpy.arange(float(len(self.faces))), 'number')
+        layer.apply_filter('compute_scalar_by_function_per_face', q='fi')
         values = layer.apply_filter(IMPROVE, **options)
         after = mesh.vertex_custom_scalar_attribute_array('number').astype(int)[mesh.face_matrix()]
         wedges = mesh.wedge_tex_coord_matrix().reshape(-1, 3, 2)
         self.assertGreater(values['collapsed'] + values['removed'] + values['flipped'], 0)
         # Every wedge still has the coordinates of its vertex.
         self.assertBits(wedges[:, :, 0] * 128, after.astype(float))
+        # Every face has all that its source had.
+        self.source = mesh.face_custom_scalar_attribute_array('number')
+        self.assertBits(mesh.face_scalar_array(), self.source)
         return values, after, seam(self.faces, where.reshape(-1, 3)), seam(after, wedges[:, :, 1])
 
     def test_charts_side_by_side_keep_their_seam(self):
@@ -97,6 +102,8 @@ class Sheet(Case):
         _, _, before, after = self.improve(left)
         self.assertEqual(len(before), 8)
         self.assertEqual(after, before)
+        # Here some faces share a source.
+        self.assertLess(len(set(self.source)), len(self.source))
 
     def test_a_triangle_that_would_go_stays_where_it_is_a_chart(self):
         _, after, _, _ = self.improve([])

@@ -83,6 +83,8 @@ class Improvement(Case):
         condition = ' || '.join(f'fi == {face}' for face in numpy.flatnonzero(self.faces_inside))
         for flips in (False, True):
             values, number, vertices, faces = self.improve(faces=condition, flips=flips)
+            # All are bad, and those are counted that are selected.
+            self.assertEqual(values['tails_before'], self.faces_inside.sum())
             self.assertGreater(values['tail_moved'] + values['removed'] + values['collapsed'] + values['flipped'], 0)
             self.assert_only_inside_changed(self.vertices_inside, number, vertices, faces)
 
@@ -90,6 +92,7 @@ class Improvement(Case):
         condition = ' || '.join(f'vi == {vertex}' for vertex in numpy.flatnonzero(self.vertices_inside))
         for flips in (False, True):
             values, number, vertices, faces = self.improve(vertices=condition, flips=flips)
+            self.assertEqual(values['tails_before'], self.vertices_inside[self.faces].any(axis=1).sum())
             self.assertGreater(values['tail_moved'] + values['removed'] + values['collapsed'] + values['flipped'], 0)
             self.assert_only_inside_changed(self.vertices_inside, number, vertices, faces)
 

@@ -77,6 +77,16 @@ class Layer(Case):
         self.assertGreaterEqual(seam['feature_edges'], 8)
         self.assertEqual(layer_from(self.folder / 'in.obj').apply_filter(SMOOTH, keep_seams=False)['feature_edges'], 0)
 
+    def test_a_seam_may_begin_at_either_end_of_an_edge(self):
+        vertices, faces = meshes.grid(2)
+        whole = vertices[faces.ravel()][:, :2]
+        for corner in range(6):
+            texture = whole.copy()
+            texture[corner] += 0.5
+            meshes.write_obj(self.folder / 'in.obj', vertices, faces, texture)
+            values = layer_from(self.folder / 'in.obj').apply_filter(SMOOTH)
+            self.assertEqual(values['feature_edges'], 1 if faces.ravel()[corner] in (0, 3) else 0)
+
     def test_borders_of_face_colours_are_features_where_colours_are_few(self):
         vertices, faces = meshes.grid()
         left = vertices[faces].mean(axis=1)[:, 0] < 4
