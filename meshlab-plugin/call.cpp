@@ -77,8 +77,9 @@ qsm_maps prepareMaps(const Packed& packed, Outcome& outcome) {
 void improve(Packed& packed, const qsm_options& options, Outcome& outcome) {
     qsm_maps maps = prepareMaps(packed, outcome);
     size_t vertices = packed.vertices.size(), indices = packed.indices.size();
-    const qsm_status status = Library<Scalarm>::improve(packed.positions.data(), &vertices, STRIDE, packed.indices.data(),
-                                                        &indices, &options, &maps, &outcome.report);
+    const qsm_status status =
+        Library<Scalarm>::improve(packed.positions.data(), &vertices, STRIDE, packed.indices.data(), &indices, &options,
+                                  &maps, &outcome.report);
     check(status, outcome.report);
     packed.positions.resize(3 * vertices);
     packed.indices.resize(indices);

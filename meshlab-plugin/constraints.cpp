@@ -103,7 +103,8 @@ struct Borders {
     bool parts(const Side& a, const Side& b) const {
         CFaceO &one = *packed.faces[a.face], &other = *packed.faces[b.face];
         if (colours && one.C() != other.C()) return true;
-        return seams && (one.WT(a.lowCorner) != other.WT(b.lowCorner) || one.WT(a.highCorner) != other.WT(b.highCorner));
+        return seams && (one.WT(a.lowCorner) != other.WT(b.lowCorner) ||
+                         one.WT(a.highCorner) != other.WT(b.highCorner));
     }
 };
 

@@ -92,7 +92,9 @@ std::map<std::string, QVariant> FilterQsmesh::apply(int number, MeshDocument& do
 
 void FilterQsmesh::say(const std::string& line) { Log(line); }
 
-FilterQsmesh::FilterClass FilterQsmesh::getClass(QAction* action) { return ID(action) == IMPROVE ? Remeshing : Smoothing; }
+FilterQsmesh::FilterClass FilterQsmesh::getClass(QAction* action) {
+    return ID(action) == IMPROVE ? Remeshing : Smoothing;
+}
 
 FilterQsmesh::FILTER_ARITY FilterQsmesh::filterArity(QAction*) const { return SINGLE_MESH; }
 

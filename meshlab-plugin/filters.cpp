@@ -25,8 +25,8 @@ constexpr Description DESCRIPTIONS[] = {
         "Quasi-statistical improvement",
         "meshing_quasi_statistical_improvement",
         "Quasi-statistical improvement...",
-        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: by moves, flips, and a "
-        "few collapses and removals of vertices. Volume, creases, boundary and texture seams stay; all attributes are "
+        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: by moves, flips, and "
+        "a few collapses and removals of vertices. Volume, creases, boundary and texture seams stay; all attributes are "
         "carried along." QSMESH_PAPER,
     },
 };
@@ -36,7 +36,8 @@ constexpr Description DESCRIPTIONS[] = {
 }  // namespace
 
 const Description& describe(int filter) {
-    if (filter != SMOOTH && filter != IMPROVE) throw MLException("qsmesh has no filter number " + QString::number(filter));
+    if (filter != SMOOTH && filter != IMPROVE)
+        throw MLException("qsmesh has no filter number " + QString::number(filter));
     return DESCRIPTIONS[filter];
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// MeshLab's headers, and the names that its versions have for the same things.
 ///
-/// QSMESH_MESHLAB_INTERFACE, set by the build from the MeshLab source tree, says which of the three interfaces that tree
-/// has: 2020, 2022 or 2025.
+/// QSMESH_MESHLAB_INTERFACE, set by the build from the MeshLab source tree, says which of the three interfaces that
+/// tree has: 2020, 2022 or 2025.
 #ifndef QSMESH_HOST_H
 #define QSMESH_HOST_H
 

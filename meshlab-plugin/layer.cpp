@@ -110,8 +110,8 @@ Packed pack(CMeshO& mesh) {
 void requirePureTriangles(const Packed& packed) {
     for (const CFaceO* face : packed.faces)
         if (face->IsAnyF())
-            throw MLException("the layer has faces with more than three corners, whose triangles cannot be changed one by "
-                              "one: apply \"Turn into a Pure-Triangular mesh\" first, or smooth it");
+            throw MLException("the layer has faces with more than three corners, whose triangles cannot be changed one "
+                              "by one: apply \"Turn into a Pure-Triangular mesh\" first, or smooth it");
 }
 
 void reconnect(MeshModel& model, Packed& packed, const Sources& sources) {

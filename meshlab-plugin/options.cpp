@@ -54,16 +54,16 @@ void addMethod(RichParameterList& list) {
 void addTail(RichParameterList& list) {
     const qsm_options given = defaults();
     list.addParam(RichFloat("tail_edge_ratio", given.tail_edge_ratio, "Tail: edge ratio above",
-                            QString("Longest over shortest edge above which a triangle is taken up for a cure, above 1. "
-                                    "Default: %1.")
+                            QString("Longest over shortest edge above which a triangle is taken up for a cure, above "
+                                    "1. Default: %1.")
                                 .arg(given.tail_edge_ratio)));
     list.addParam(RichFloat("tail_min_angle", given.tail_min_angle, "Tail: smallest angle below (degrees)",
-                            QString("Smallest angle below which a triangle is taken up for a cure, degrees, above 0 and "
-                                    "below 60. Default: %1.")
+                            QString("Smallest angle below which a triangle is taken up for a cure, degrees, above 0 "
+                                    "and below 60. Default: %1.")
                                 .arg(given.tail_min_angle)));
     list.addParam(RichFloat("tail_max_angle", given.tail_max_angle, "Tail: largest angle above (degrees)",
-                            QString("Largest angle above which a triangle is taken up for a cure, degrees, above 60 and "
-                                    "below 180. Default: %1.")
+                            QString("Largest angle above which a triangle is taken up for a cure, degrees, above 60 "
+                                    "and below 180. Default: %1.")
                                 .arg(given.tail_max_angle)));
     list.addParam(RichBool("flips", given.flips, "Flip edges everywhere",
                            "Flips, before the tail is treated, every edge inside the surface that is no feature where "
@@ -136,7 +136,8 @@ void addOutput(Filter filter, RichParameterList& list) {
                            "for MeshLab's colorize filters. Default: off."));
     if (filter == IMPROVE)
         list.addParam(RichBool("select_leftovers", false, "Select what could not be cured",
-                               "Selects the faces that are still in the tail afterwards, and no others. Default: off."));
+                               "Selects the faces that are still in the tail afterwards, and no others. "
+                               "Default: off."));
 }
 
 /// The value that was meant: a host keeps 1.2 as the float 1.2000000477, even if it computes in double precision, which

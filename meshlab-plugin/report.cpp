@@ -133,7 +133,7 @@ std::vector<std::string> logLines(Filter filter, const Outcome& outcome) {
     addLine(lines, "Kept in place", kept(report.kept));
     if (filter == IMPROVE) addTailLines(lines, outcome);
     for (const Figure& figure : compare(report.before, report.after))
-        lines.push_back(formatted("%s: %s -> %s", figure.label, number(figure.before).c_str(), number(figure.after).c_str()));
+        lines.push_back(std::string(figure.label) + ": " + number(figure.before) + " -> " + number(figure.after));
     return lines;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A host that does to the plugin what MeshLab and PyMeshLab never do, but might: it listens to the progress, answers that
-// enough is enough, throws; and it has deleted elements in a layer in double precision. Prints what is wrong; ends with 1
-// if anything is.
+// A host that does to the plugin what MeshLab and PyMeshLab never do, but might: it listens to the progress, answers
+// that enough is enough, throws; and it has deleted elements in a layer in double precision. Prints what is wrong; ends
+// with 1 if anything is.
 #include <cstdio>
 #include <cstring>
 #include <functional>
@@ -76,7 +76,8 @@ std::string snapshot(const MeshModel& layer) {
 }
 
 /// Applies a filter with its defaults but for bounds that put many triangles into the tail. Returns the error, if any.
-std::string apply(FilterPlugin& plugin, const QAction* filter, MeshDocument& document, std::function<bool(int)> answering) {
+std::string apply(FilterPlugin& plugin, const QAction* filter, MeshDocument& document,
+                  std::function<bool(int)> answering) {
     percents.clear();
     answer = answering;
     RichParameterList options = plugin.initParameterList(filter, *document.mm());
@@ -131,7 +132,8 @@ void noCallback(FilterPlugin& plugin, const QAction* filter) {
     MeshDocument document;
     addSphere(document, 3);
     unsigned int changed = 0;
-    const auto values = plugin.applyFilter(filter, plugin.initParameterList(filter, *document.mm()), document, changed, nullptr);
+    const RichParameterList options = plugin.initParameterList(filter, *document.mm());
+    const auto values = plugin.applyFilter(filter, options, document, changed, nullptr);
     require(values.at("moved").toInt() > 0, "nothing moves without a callback");
     require(changed & MeshModel::MM_VERTCOORD, "the host is not told that vertices have moved");
 }
@@ -140,7 +142,8 @@ void noCallback(FilterPlugin& plugin, const QAction* filter) {
 void punch(MeshModel& layer) {
     for (auto& face : layer.cm.face)
         for (int corner = 0; corner < 3 && !face.IsD(); ++corner)
-            if (vcg::tri::Index(layer.cm, face.V(corner)) % 7 == 3) vcg::tri::Allocator<CMeshO>::DeleteFace(layer.cm, face);
+            if (vcg::tri::Index(layer.cm, face.V(corner)) % 7 == 3)
+                vcg::tri::Allocator<CMeshO>::DeleteFace(layer.cm, face);
     for (auto& vertex : layer.cm.vert)
         if (vcg::tri::Index(layer.cm, vertex) % 7 == 3) vcg::tri::Allocator<CMeshO>::DeleteVertex(layer.cm, vertex);
 }

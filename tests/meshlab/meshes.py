@@ -53,7 +53,7 @@ def write_ply(path, vertices, faces, kind='d'):
 
 
 def read_ply(path):
-    """Vertices, in the file's precision, and faces of a binary PLY file of triangles, whatever else its vertices have."""
+    """Vertices, in the file's precision, and faces of a binary PLY file of triangles, whatever else is there."""
     data = path.read_bytes()
     end = data.index(b'end_header\n') + len(b'end_header\n')
     kinds = {'float': '<f4', 'double': '<f8', 'uchar': 'u1', 'int': '<i4'}

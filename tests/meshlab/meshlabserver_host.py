@@ -1,4 +1,4 @@
-"""Debian's MeshLab 2020.09, in single precision, with the plugin among its own: filter scripts in, meshes and log out."""
+"""Debian's MeshLab 2020.09, in single precision, with the plugin: filter scripts in, meshes and log out."""
 import os
 import pathlib
 import subprocess
@@ -74,7 +74,8 @@ def run(folder, mesh, *filters, root=None):
     root = root or pathlib.Path(os.environ['QSMESH_MESHLAB_ROOT'])
     out = folder / 'out.ply'
     (folder / 'script.mlx').write_text(script(*filters))
-    call = ['xvfb-run', '-a', str(root / 'usr/bin/meshlabserver'), '-i', str(mesh), '-o', str(out), '-s', str(folder / 'script.mlx')]
+    call = ['xvfb-run', '-a', str(root / 'usr/bin/meshlabserver'), '-i', str(mesh), '-o', str(out),
+            '-s', str(folder / 'script.mlx')]
     done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300,
                           env={**os.environ, 'XDG_RUNTIME_DIR': str(folder), 'HOME': str(folder)})
     return done.returncode, done.stdout, out

@@ -15,7 +15,8 @@ class Layers(Case):
             vertices = meshes.WART.copy()
             vertices[3, 1] = bad
             for name in BOTH:
-                self.assertRefused('vertex 3 has a coordinate that is not finite', layer_of(vertices, meshes.WART_FACES), name)
+                layer = layer_of(vertices, meshes.WART_FACES)
+                self.assertRefused('vertex 3 has a coordinate that is not finite', layer, name)
 
     def test_a_point_cloud(self):
         for name in BOTH:

@@ -77,7 +77,7 @@ class Sheet(Case):
         self.vertices, self.faces = meshes.squashed_grid()
 
     def improve(self, chart, **options):
-        """Gives some faces a chart of their own, runs the filter; returns figures, faces, and seams before and after."""
+        """Gives some faces their own chart, runs the filter; returns figures, faces, seams before and after."""
         where = numpy.isin(numpy.arange(len(self.faces)), chart).repeat(3)
         texture = numpy.stack([self.faces.ravel() / 128, where], axis=1)
         meshes.write_obj(self.folder / 'in.obj', self.vertices, self.faces, texture)

@@ -57,8 +57,9 @@ class Build(Case):
         self.assertRefused('no libmeshlab-common in MESHLAB_LIBRARY_DIR', WORK / 'source-2020.09', self.folder)
 
     def test_a_library_that_does_not_tell_its_version(self):
-        (self.folder / 'empty.cpp').write_text('')
-        subprocess.run(['g++', '-shared', '-o', self.folder / 'libmeshlab-common.so', self.folder / 'empty.cpp'], check=True)
+        source = self.folder / 'empty.cpp'
+        source.write_text('')
+        subprocess.run(['g++', '-shared', '-o', self.folder / 'libmeshlab-common.so', source], check=True)
         self.assertRefused('does not tell its version', WORK / 'source-2020.09', self.folder)
 
 
