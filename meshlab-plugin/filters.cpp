@@ -25,9 +25,9 @@ constexpr Description DESCRIPTIONS[] = {
         "Quasi-statistical improvement",
         "meshing_quasi_statistical_improvement",
         "Quasi-statistical improvement...",
-        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: by moves, flips, and "
-        "a few collapses and removals of vertices. Volume, creases, boundary and texture seams stay; all attributes are "
-        "carried along." QSMESH_PAPER,
+        "Quasi-statistical smoothing, and then a cure for each triangle that stays bad, worst first: by moves, flips, "
+        "and a few collapses and removals of vertices. Volume, creases, boundary and texture seams stay; all "
+        "attributes are carried along." QSMESH_PAPER,
     },
 };
 

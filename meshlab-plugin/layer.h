@@ -35,8 +35,8 @@ Packed pack(CMeshO& mesh);
 void requirePureTriangles(const Packed& packed);
 
 /// Gives the layer the triangles in indices. A vertex that is still there stays the element that it was, with all that
-/// it carries; so does the first face of each source, and further ones carry the same. Corners take what they carry from
-/// their sources. Other elements are marked as deleted, and packed names those that are left.
+/// it carries; so does the first face of each source, and further ones carry the same. Corners take what they carry
+/// from their sources. Other elements are marked as deleted, and packed names those that are left.
 void reconnect(MeshModel& model, Packed& packed, const Sources& sources);
 
 /// Gives the layer's vertices the packed positions; brings bounding box and normals up to date.
