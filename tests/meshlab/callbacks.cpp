@@ -75,13 +75,16 @@ std::string snapshot(const MeshModel& layer) {
     return bytes + std::to_string(layer.cm.vn) + " " + std::to_string(layer.cm.fn);
 }
 
-/// Applies a filter with its defaults but for bounds that put many triangles into the tail. Returns the error, if any.
-std::string apply(FilterPlugin& plugin, const QAction* filter, MeshDocument& document,
+/// A tail_min_angle, degrees, that puts many triangles into the tail.
+constexpr double MANY_TAILS = 40;
+
+/// Applies a filter to the current layer. Returns the error, if any.
+std::string apply(FilterPlugin& plugin, const QAction* filter, MeshDocument& document, double tailMinAngle,
                   std::function<bool(int)> answering) {
     percents.clear();
     answer = answering;
     RichParameterList options = plugin.initParameterList(filter, *document.mm());
-    if (options.hasParameter("tail_min_angle")) options.setValue("tail_min_angle", FloatValue(40));
+    if (options.hasParameter("tail_min_angle")) options.setValue("tail_min_angle", FloatValue(float(tailMinAngle)));
     unsigned int changed = 0;
     try {
         plugin.applyFilter(filter, options, document, changed, listen);
@@ -95,8 +98,8 @@ std::string apply(FilterPlugin& plugin, const QAction* filter, MeshDocument& doc
 
 void progressRises(FilterPlugin& plugin, const QAction* filter) {
     MeshDocument document;
-    addSphere(document, 4);
-    const std::string error = apply(plugin, filter, document, [](int) { return true; });
+    addSphere(document, 6);
+    const std::string error = apply(plugin, filter, document, 20, [](int) { return true; });
     require(error.empty(), "an error where there is none: " + error);
     require(percents.size() > 3, "progress is hardly ever told");
     for (size_t k = 0; k < percents.size(); ++k) {
@@ -111,7 +114,8 @@ void enoughIsEnough(FilterPlugin& plugin, const QAction* filter) {
         MeshDocument document;
         const MeshModel& layer = addSphere(document, 4);
         const std::string before = snapshot(layer);
-        const std::string error = apply(plugin, filter, document, [last](int percent) { return percent < last; });
+        const std::string error =
+            apply(plugin, filter, document, MANY_TAILS, [last](int percent) { return percent < last; });
         require(error.find("cancel") != std::string::npos, "cancelled, it says: " + error);
         require(snapshot(layer) == before, "the layer has changed although the filter was cancelled");
         require(!percents.empty() && percents.back() >= last, "it was over before it was cancelled");
@@ -122,8 +126,8 @@ void aCallbackThrows(FilterPlugin& plugin, const QAction* filter) {
     MeshDocument document;
     const MeshModel& layer = addSphere(document, 4);
     const std::string before = snapshot(layer);
-    const std::string error =
-        apply(plugin, filter, document, [](int) -> bool { throw std::runtime_error("a callback has failed"); });
+    const auto fail = [](int) -> bool { throw std::runtime_error("a callback has failed"); };
+    const std::string error = apply(plugin, filter, document, MANY_TAILS, fail);
     require(!error.empty(), "a callback has thrown and nobody noticed");
     require(snapshot(layer) == before, "the layer has changed although the callback has thrown");
 }
@@ -156,7 +160,7 @@ void deletedElements(FilterPlugin& plugin, const QAction* filter) {
     vcg::tri::Allocator<CMeshO>::CompactEveryVector(clean.cm);
     const size_t vertices = layer.cm.vert.size(), faces = layer.cm.face.size();
     for (MeshDocument* document : {&punched, &compacted}) {
-        const std::string error = apply(plugin, filter, *document, [](int) { return true; });
+        const std::string error = apply(plugin, filter, *document, MANY_TAILS, [](int) { return true; });
         require(error.empty(), "deleted elements: " + error);
     }
     const bool smoothing = filter->text().endsWith("smoothing");
@@ -180,7 +184,7 @@ void edgesKeepTheirFlags(FilterPlugin& plugin, const QAction* filter) {
         for (int edge = 0; edge < 3 && !face.IsD(); ++edge)
             if (hasEvenEnds(face, edge)) face.SetFaceEdgeS(edge);
     vcg::tri::UpdateFlags<CMeshO>::FaceBorderFromNone(layer.cm);
-    apply(plugin, filter, document, [](int) { return true; });
+    apply(plugin, filter, document, MANY_TAILS, [](int) { return true; });
     std::vector<bool> borders;
     size_t selected = 0;
     for (const auto& face : layer.cm.face)
