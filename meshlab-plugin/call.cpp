@@ -13,14 +13,14 @@ template <>
 struct Library<float> {
     static constexpr auto smooth = qsm_smooth_f32;
     static constexpr auto improve = qsm_improve_f32;
-    static constexpr auto measure = qsm_measure_f32;
+    static constexpr auto triangleQuality = qsm_triangle_quality_f32;
 };
 
 template <>
 struct Library<double> {
     static constexpr auto smooth = qsm_smooth_f64;
     static constexpr auto improve = qsm_improve_f64;
-    static constexpr auto measure = qsm_measure_f64;
+    static constexpr auto triangleQuality = qsm_triangle_quality_f64;
 };
 
 constexpr size_t STRIDE = 3 * sizeof(Scalarm);
@@ -89,17 +89,6 @@ void improve(Packed& packed, const qsm_options& options, Outcome& outcome) {
     outcome.leftovers.resize(maps.leftover_count);
 }
 
-double shape(const Packed& packed, size_t triangle) {
-    static const uint32_t indices[3] = {0, 1, 2};
-    Scalarm corners[9];
-    for (int k = 0; k < 9; ++k) corners[k] = packed.positions[3 * packed.indices[3 * triangle + k / 3] + k % 3];
-    qsm_measurement measurement;
-    qsm_measurement_init(&measurement);
-    const qsm_status status = Library<Scalarm>::measure(corners, 3, STRIDE, indices, 3, &measurement);
-    if (status != QSM_OK) throw MLException(qsm_status_string(status));
-    return measurement.shape.mean;
-}
-
 }  // namespace
 
 Outcome call(Filter filter, Packed& packed, qsm_options options, vcg::CallBackPos* callback) {
@@ -114,11 +103,13 @@ Outcome call(Filter filter, Packed& packed, qsm_options options, vcg::CallBackPo
     return outcome;
 }
 
-std::vector<Scalarm> shapes(const Packed& packed) {
-    std::vector<Scalarm> result;
-    for (size_t triangle = 0; triangle < packed.indices.size() / 3; ++triangle)
-        result.push_back(Scalarm(shape(packed, triangle)));
-    return result;
+std::vector<double> shapes(const Packed& packed) {
+    std::vector<double> values(packed.indices.size() / 3);
+    const qsm_status status =
+        Library<Scalarm>::triangleQuality(packed.positions.data(), packed.positions.size() / 3, STRIDE,
+                                          packed.indices.data(), packed.indices.size(), QSM_SHAPE, values.data());
+    if (status != QSM_OK) throw MLException(qsm_status_string(status));
+    return values;
 }
 
 }  // namespace qsmesh

@@ -26,7 +26,7 @@ struct Outcome {
 Outcome call(Filter filter, Packed& packed, qsm_options options, vcg::CallBackPos* callback);
 
 /// The mean-ratio shape of each packed triangle.
-std::vector<Scalarm> shapes(const Packed& packed);
+std::vector<double> shapes(const Packed& packed);
 
 }  // namespace qsmesh
 

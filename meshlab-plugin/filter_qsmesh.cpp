@@ -16,14 +16,14 @@ namespace {
 
 /// Writes what has come out into the layer. Whatever may fail for lack of memory comes before the layer changes.
 void write(Filter filter, const RichParameterList& list, MeshModel& model, Packed& packed, const Outcome& outcome) {
-    std::vector<Scalarm> quality;
+    std::vector<double> quality;
     if (list.getBool("face_quality")) {
         quality = shapes(packed);
         model.updateDataMask(MeshModel::MM_FACEQUALITY);
     }
     if (filter == IMPROVE) reconnect(model, packed, outcome.sources);
     reposition(model, packed);
-    for (size_t face = 0; face < quality.size(); ++face) packed.faces[face]->Q() = quality[face];
+    for (size_t face = 0; face < quality.size(); ++face) packed.faces[face]->Q() = Scalarm(quality[face]);
     if (filter == SMOOTH) return;
     if (list.getBool("select_leftovers")) {
         vcg::tri::UpdateSelection<CMeshO>::FaceClear(model.cm);

@@ -54,6 +54,21 @@ pub fn measure<T: Coordinate>(positions: &[[T; 3]], triangles: &[[u32; 3]]) -> R
     Measurement::of(&mesh.positions, triangles, mesh.unit)
 }
 
+/// The value of `parameter` for each triangle, infinite ones included.
+///
+/// # Errors
+/// As for [`measure`], and [`Error::OutOfMemory`].
+pub fn triangle_quality<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    parameter: Parameter,
+) -> Result<Vec<f64>, Error> {
+    let mesh = Mesh::new(positions, triangles)?;
+    let mut values = memory::reserved(triangles.len())?;
+    values.extend(triangles.iter().map(|t| parameter.of(&Sides::new(mesh.corners(t)))));
+    Ok(values)
+}
+
 /// Counts how many triangles have a value of `parameter` in each interval of width `interval` from `lower` on; values
 /// below `lower` go into the first bin, values past the last bin, infinite ones too, into the last.
 ///
