@@ -187,6 +187,7 @@ mod tests {
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
     use crate::tail::options::TailOptions;
+    use crate::threads::Threads;
 
     /// A hexagonal star of triangles in a plane; its centre is vertex 0.
     fn star() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -200,7 +201,8 @@ mod tests {
     fn objection(floor: f64, tail: &TailOptions<'_>, change: impl Fn(&mut Shape)) -> Option<Reason> {
         let (positions, triangles) = star();
         let options = Options { quality_floor: floor, ..Options::default() };
-        let prepared = Preparation::new(&positions, &triangles, &options, &Constraints::default()).expect("valid");
+        let prepared =
+            Preparation::new(&positions, &triangles, &options, &Constraints::default(), &Threads::ONE).expect("valid");
         let around = prepared.surroundings(&options);
         let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
@@ -242,7 +244,8 @@ mod tests {
         positions[0][2] = 0.1;
         positions[1][2] = 0.1;
         let prepared =
-            Preparation::new(&positions, &triangles, &Options::default(), &Constraints::default()).expect("valid");
+            Preparation::new(&positions, &triangles, &Options::default(), &Constraints::default(), &Threads::ONE)
+                .expect("valid");
         let around = prepared.surroundings(&Options::default());
         let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
