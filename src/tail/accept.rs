@@ -141,6 +141,9 @@ impl Judge<'_> {
 
     /// Greatest distance of the middle of an edge of the patch that is gone from the triangles of `shape`.
     fn cut_height(&self, shape: &Shape) -> f64 {
+        if fresh(shape).next().is_none() {
+            return 0.0;
+        }
         let old = &self.patch.shape;
         let is_gone = |&(a, b): &(usize, usize)| shape.beside(a, b).is_none() && shape.beside(b, a).is_none();
         let gone = old.pieces.iter().flat_map(sides).filter(is_gone);
@@ -254,6 +257,7 @@ mod tests {
         assert_eq!(judge.cut_height(&patch.shape), 0.0);
         // Without the triangles beside it the ridge 0–1 is gone; the next surface is the triangle 0–2–3 or 0–5–6.
         let mut shape = patch.shape.clone();
+        shape.pieces.iter_mut().for_each(|piece| piece.slot = None);
         let ridge = [0, 1].map(|v| patch.vertices.iter().position(|&p| p == v).expect("in the patch"));
         shape.pieces.retain(|piece| !ridge.iter().all(|v| piece.corners.contains(v)));
         assert!(judge.cut_height(&shape) > 0.3, "{}", judge.cut_height(&shape));
