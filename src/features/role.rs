@@ -33,6 +33,11 @@ pub(crate) enum Role {
 }
 
 impl Role {
+    /// Whether a vertex of this role moves in its tangent plane.
+    pub fn moves_in_plane(self) -> bool {
+        matches!(self, Self::Free | Self::Doubtful)
+    }
+
     /// Whether a vertex of this role may move at all.
     pub fn moves(self) -> bool {
         matches!(self, Self::Free | Self::Doubtful | Self::Crease | Self::Rim)

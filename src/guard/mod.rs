@@ -4,13 +4,10 @@
 mod original;
 mod witness;
 
-use fearless_simd::prelude::*;
-use glam::DVec3;
-
 use crate::mesh::{Mesh, Stars};
-use crate::star::{Chunk, LocalStar, Vectors, sum};
+use crate::star::{LocalStars, Number, Vectors};
 use original::Original;
-use witness::Witness;
+use witness::{Arm, Witness};
 
 /// Largest angle in degrees by which a triangle's normal may turn against its original one.
 const LARGEST_TURN: f64 = 75.0;
@@ -29,125 +26,135 @@ impl Leash {
     pub const NONE: Self = Self { planes: f64::INFINITY, place: f64::INFINITY };
 }
 
-/// What is to be looked at: a star as it is, and the mesh as it was.
-pub(crate) struct Scene<'a> {
+/// What is to be looked at: stars as they are, and the mesh as it was.
+pub(crate) struct Scene<'a, N: Number> {
     pub mesh: &'a Mesh<'a>,
-    pub stars: &'a Stars,
-    pub star: &'a LocalStar,
-    /// Number of the vertex in the centre.
-    pub vertex: u32,
-    /// Twice the vector areas of the star's sectors.
-    pub areas: [DVec3; 2],
+    pub rings: &'a Stars,
+    pub stars: &'a LocalStars<N>,
+    /// Numbers of the vertices in the centres.
+    pub vertices: N::Vertices,
+    /// Twice the vector areas of the sectors.
+    pub areas: [Vectors<N>; 2],
 }
 
-/// The guard and what it has found out about one star.
-pub(crate) struct Guard {
+/// The guard and what it has found out about stars. Reused from stars to stars.
+pub(crate) struct Guard<N: Number> {
     /// Squared shape that the worst triangle of a star may not fall below.
     floor: f64,
     /// Squared cosine of the largest turn.
     least_cosine: f64,
-    original: Original,
+    original: Original<N>,
     /// Squared distances in the units of the coordinates.
-    leash: Leash,
-    /// How far the centre is already from where it was in the original mesh.
-    drift: DVec3,
-    /// The least squared shape that a triangle must have after the move, if somebody had to ask.
-    bar: Option<f64>,
+    planes: N::Row,
+    place: N::Row,
+    /// Whether any star is bound to its original planes.
+    is_leashed: bool,
+    /// The least squared shapes that a triangle must have after the move, if somebody had to ask.
+    bar: Option<N::Row>,
 }
 
-impl Guard {
+impl<N: Number> Guard<N> {
     /// A guard with this quality floor (mean-ratio shape, 0 to 1).
     pub fn new(floor: f64) -> Self {
         let cosine = libm::cos(LARGEST_TURN.to_radians());
+        let row = N::Row::default();
         Self {
             floor: floor * floor,
             least_cosine: cosine * cosine,
             original: Original::default(),
-            leash: Leash::NONE,
-            drift: DVec3::ZERO,
+            planes: row,
+            place: row,
+            is_leashed: false,
             bar: None,
         }
     }
 
-    /// Looks at a star as it was in the original mesh.
+    /// Looks at stars as they were in the original mesh; `leash` tells how far a vertex may go.
     #[inline(always)]
-    pub fn inspect<S: Simd>(&mut self, simd: S, scene: &Scene<'_>, leash: Leash) {
-        let square = self.original.look(simd, scene);
-        self.leash = leash;
-        if leash.planes < f64::INFINITY {
-            let size = sum(square) / scene.star.valence() as f64;
-            self.leash = Leash { planes: leash.planes * leash.planes * size, place: leash.place * leash.place * size };
-        }
-        self.drift = scene.star.centre - scene.mesh.positions[scene.vertex as usize];
+    pub fn look(&mut self, token: N::Token, scene: &Scene<'_, N>, leash: impl Fn(u32) -> Leash) {
         self.bar = None;
+        self.is_leashed = false;
+        for star in 0..N::STARS {
+            let leash = leash(scene.vertices.as_ref()[star]);
+            self.planes.as_mut()[star] = leash.planes * leash.planes;
+            self.place.as_mut()[star] = leash.place * leash.place;
+            self.is_leashed |= leash.planes < f64::INFINITY;
+        }
+        let squares = self.original.look(token, scene.stars);
+        let size = squares / scene.stars.valences(token);
+        (N::load(token, &self.planes) * size).store(&mut self.planes);
+        (N::load(token, &self.place) * size).store(&mut self.place);
     }
 
-    /// Whether the centre of the inspected star may move by `step`.
+    /// Which of the centres may move by `step`, as bits; only those in `open` matter.
     ///
     /// Most steps leave no triangle below the floor and meet no triangle that came folded over; only for the others does it
     /// matter how good the star is now, and which of its triangles were folded.
     #[inline(always)]
-    pub fn admits<S: Simd>(&mut self, simd: S, scene: &Scene<'_>, step: DVec3) -> bool {
-        if (self.drift + step).length_squared() > self.leash.place {
-            return false;
+    pub fn admits(&mut self, token: N::Token, scene: &Scene<'_, N>, step: Vectors<N>, open: u64) -> u64 {
+        let goal = scene.stars.drift(token).plus(step);
+        let near = !N::load(token, &self.place).below(goal.square());
+        let kept = N::bits(near & self.keeps_all(token, scene, step, N::splat(token, self.floor)));
+        let asking = open & N::bits(near) & !kept;
+        if asking == 0 {
+            return kept;
         }
-        self.keeps_all(simd, scene, step, self.floor) || self.admits_after_all(simd, scene, step)
+        for star in (0..N::STARS).filter(|star| asking >> star & 1 == 1) {
+            self.original.forget_folded(scene, star);
+        }
+        let bar = self.bar(token, scene);
+        N::bits(near & self.keeps_all(token, scene, step, bar))
+    }
+
+    /// The least squared shapes in the stars, or the floor if that is less.
+    #[inline(always)]
+    fn bar(&mut self, token: N::Token, scene: &Scene<'_, N>) -> N {
+        if let Some(bar) = &self.bar {
+            return N::load(token, bar);
+        }
+        let bar = self.least_shape(token, scene);
+        self.bar = Some(bar.row());
+        bar
     }
 
     #[inline(always)]
-    fn admits_after_all<S: Simd>(&mut self, simd: S, scene: &Scene<'_>, step: DVec3) -> bool {
-        let bar = match self.bar {
-            Some(bar) => bar,
-            None => {
-                self.original.forget_folded(scene);
-                let bar = self.least_shape(simd, scene);
-                self.bar = Some(bar);
-                bar
-            }
-        };
-        self.keeps_all(simd, scene, step, bar)
-    }
-
-    /// The least squared shape in the star, or the floor if that is less.
-    #[inline(always)]
-    fn least_shape<S: Simd>(&self, simd: S, scene: &Scene<'_>) -> f64 {
-        let mut bar = self.floor;
-        for chunk in 0..scene.star.chunks() {
-            let Chunk { a, b, present, .. } = scene.star.chunk(simd, chunk);
-            let least = Witness::new(a, b).least(simd, present);
-            bar = if least < bar { least } else { bar };
+    fn least_shape(&self, token: N::Token, scene: &Scene<'_, N>) -> N {
+        let (stars, mut bar) = (scene.stars, N::splat(token, self.floor));
+        let mut countdown = stars.countdown(token);
+        let mut a = Arm::new(stars.spokes()[0].place(token));
+        for spoke in &stars.spokes()[1..] {
+            let b = Arm::new(spoke.place(token));
+            let shape = Witness::new(a, b).squared_shape(token);
+            bar = N::choose(countdown.next(), shape.lesser(bar), bar);
+            a = b;
         }
         bar
     }
 
-    /// Whether the step keeps the promises if no squared shape may be below `bar`.
+    /// Where the step keeps the promises if no squared shape may be below `bar`.
     #[inline(always)]
-    fn keeps_all<S: Simd>(&self, simd: S, scene: &Scene<'_>, step: DVec3, bar: f64) -> bool {
-        for chunk in 0..scene.star.chunks() {
-            if !self.keeps(simd, scene, step, bar, chunk) {
-                return false;
+    fn keeps_all(&self, token: N::Token, scene: &Scene<'_, N>, step: Vectors<N>, bar: N) -> N::Truth {
+        let (stars, mut countdown) = (scene.stars, scene.stars.countdown(token));
+        let before = stars.drift(token);
+        let (now, reach) = (before.plus(step), N::load(token, &self.planes));
+        let mut kept = bar.equals(bar);
+        let mut a = Arm::new(stars.spokes()[0].place(token).minus(step));
+        for (i, (triangle, spokes)) in self.original.triangles().iter().zip(stars.spokes().windows(2)).enumerate() {
+            let b = Arm::new(spokes[1].place(token).minus(step));
+            let (original, after) = (triangle.facing(token), Witness::new(a, b));
+            let mut keeps = after.reaches(token, bar) & original.agrees(token, &after, self.least_cosine);
+            if self.is_leashed {
+                keeps = keeps & original.is_near(token, before, now, reach);
             }
+            let outward = scene.areas[stars.sector(i)];
+            let opposes = after.opposes(token, outward);
+            if N::any(opposes & keeps) {
+                let [a, b] = [spokes[0].place(token), spokes[1].place(token)];
+                keeps = keeps & after.unfolds(token, &Witness::new(Arm::new(a), Arm::new(b)), outward);
+            }
+            kept = kept & (keeps | !countdown.next());
+            a = b;
         }
-        true
-    }
-
-    /// The same for eight triangles.
-    #[inline(always)]
-    fn keeps<S: Simd>(&self, simd: S, scene: &Scene<'_>, step: DVec3, bar: f64, chunk: usize) -> bool {
-        let Chunk { a, b, present, second } = scene.star.chunk(simd, chunk);
-        let moved = Vectors::splat(simd, step);
-        let after = Witness::new(a.minus(moved), b.minus(moved));
-        let original = self.original.chunk(simd, chunk);
-        let mut kept = after.reaches(bar) & original.agree_with(after.normal, self.least_cosine);
-        if self.leash.planes < f64::INFINITY {
-            kept &= original.are_near(simd, self.drift, self.drift + step, self.leash.planes);
-        }
-        let mut outward = Vectors::splat(simd, scene.areas[0]);
-        if scene.star.is_crease() {
-            outward = Vectors::splat(simd, scene.areas[1]).or(second, outward);
-        }
-        (kept | !present).all_true()
-            && (!(after.oppose(outward) & present).any_true()
-                || (after.unfolds(simd, &Witness::new(a, b), outward) | !present).all_true())
+        kept
     }
 }

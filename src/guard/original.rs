@@ -1,11 +1,10 @@
-//! What the original mesh says of a star: normals not to turn from, planes not to leave.
+//! What the original mesh says of stars: normals not to turn from, planes not to leave.
 
-use fearless_simd::prelude::*;
 use glam::DVec3;
 
 use super::Scene;
-use super::witness::Witness;
-use crate::star::{LANES, Numbers, Truths, Vectors};
+use super::witness::{Arm, Witness};
+use crate::star::{LocalStars, Number, Vectors, set_vector, vector};
 
 /// Original shape below which a triangle's normal says nothing: comparing with it would freeze exactly those triangles
 /// that need to move.
@@ -14,97 +13,113 @@ const MEANINGLESS: f64 = 1e-3;
 /// Original shape below which a triangle's plane is not worth keeping.
 const THIN: f64 = 0.3;
 
-/// The original triangles of a star.
-#[derive(Default)]
-pub(super) struct Original {
-    /// As many as the largest star so far has had.
-    chunks: Vec<Stored>,
+/// The original triangles of stars, as many as the largest star so far has had.
+pub(super) struct Original<N: Number>(Vec<Triangle<N>>);
+
+/// One original triangle of each star.
+pub(super) struct Triangle<N: Number> {
+    /// Normal, twice as long as the area; zero where it says nothing.
+    normal: [N::Row; 3],
+    /// Its squared length.
+    square: N::Row,
+    /// The same where the plane is worth keeping, else 0.
+    plane: N::Row,
 }
 
-/// Eight original triangles.
-#[derive(Clone, Copy, Default)]
-struct Stored {
-    /// Normals, twice as long as the areas; zero where they say nothing.
-    normals: [[f64; LANES]; 3],
-    /// Squared lengths of the normals of planes worth keeping, else 0.
-    planes: [f64; LANES],
+impl<N: Number> Default for Triangle<N> {
+    fn default() -> Self {
+        let row = N::Row::default();
+        Self { normal: [row; 3], square: row, plane: row }
+    }
 }
 
-impl Original {
-    /// Looks at the original star. Returns the squared distances from the centre to the ring, to be summed.
+impl<N: Number> Default for Original<N> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<N: Number> Original<N> {
+    /// Looks at stars as they were. Returns the sums of the squared distances from the centre to the ring.
     #[inline(always)]
-    pub fn look<S: Simd>(&mut self, simd: S, scene: &Scene<'_>) -> Numbers<S> {
-        let &Scene { mesh, star, vertex, .. } = scene;
-        let none = Numbers::splat(simd, 0.0);
-        let centre = mesh.positions[vertex as usize];
-        let mut square = none;
-        if self.chunks.len() < star.chunks() {
-            self.chunks.resize(star.chunks(), Stored::default());
+    pub fn look(&mut self, token: N::Token, stars: &LocalStars<N>) -> N {
+        if self.0.len() < stars.longest() {
+            self.0.resize_with(stars.longest(), Triangle::default);
         }
-        for chunk in 0..star.chunks() {
-            let [a, b] = star.edges_in(simd, chunk, centre, |r| mesh.positions[r as usize]);
+        let (centres, mut countdown) = (stars.origins(token), stars.countdown(token));
+        let mut sum = N::splat(token, 0.0);
+        let mut a = Arm::new(stars.spokes()[0].origin(token).minus(centres));
+        for (triangle, spoke) in self.0.iter_mut().zip(&stars.spokes()[1..]) {
+            let b = Arm::new(spoke.origin(token).minus(centres));
             let witness = Witness::new(a, b);
-            square += star.present(simd, chunk).select(b.square(), none);
-            let normal = witness.normal.or(witness.exceeds(MEANINGLESS), Vectors::splat(simd, DVec3::ZERO));
-            let plane = witness.exceeds(THIN).select(witness.normal.square(), none);
-            normal.store(&mut self.chunks[chunk].normals);
-            plane.store_array(&mut self.chunks[chunk].planes);
+            sum = sum + b.square.only(token, countdown.next());
+            let says = witness.exceeds(token, MEANINGLESS);
+            Vectors::choose(says, witness.normal, Vectors::zero(token)).store(&mut triangle.normal);
+            witness.square.only(token, says).store(&mut triangle.square);
+            witness.square.only(token, witness.exceeds(token, THIN)).store(&mut triangle.plane);
+            a = b;
         }
-        square
+        sum
     }
 
-    /// Strikes out triangles that came folded over.
+    /// Strikes out the triangles of star number `star` that came folded over.
     #[cold]
-    pub fn forget_folded(&mut self, &Scene { mesh, stars, star, vertex, .. }: &Scene<'_>) {
-        let area: DVec3 = (0..star.valence()).map(|i| self.chunks[i / LANES].normal(i % LANES)).sum();
-        for i in 0..star.valence() {
-            let (chunk, lane) = (&mut self.chunks[i / LANES], i % LANES);
-            let opposes = chunk.normal(lane).dot(area) < 0.0;
-            let [r, s] = star.rim_edge(i);
-            if opposes && stars.is_folded(mesh, [vertex, r, s]) {
-                chunk.normals.iter_mut().for_each(|axis| axis[lane] = 0.0);
-                chunk.planes[lane] = 0.0;
+    pub fn forget_folded(&mut self, scene: &Scene<'_, N>, star: usize) {
+        let triangles = &mut self.0[..scene.stars.valence_of(star)];
+        let area: DVec3 = triangles.iter().map(|triangle| vector(&triangle.normal, star)).sum();
+        for (i, triangle) in triangles.iter_mut().enumerate() {
+            let opposes = vector(&triangle.normal, star).dot(area) < 0.0;
+            let corners =
+                [scene.vertices.as_ref()[star], scene.stars.vertices(i)[star], scene.stars.vertices(i + 1)[star]];
+            if opposes && scene.rings.is_folded(scene.mesh, corners) {
+                set_vector(&mut triangle.normal, star, DVec3::ZERO);
+                triangle.square.as_mut()[star] = 0.0;
+                triangle.plane.as_mut()[star] = 0.0;
             }
         }
     }
 
-    /// Chunk number `chunk`.
+    /// How the triangles faced.
     #[inline(always)]
-    pub fn chunk<S: Simd>(&self, simd: S, chunk: usize) -> Normals<S> {
-        let Stored { normals, planes } = &self.chunks[chunk];
-        Normals { normals: Vectors::from_arrays(simd, normals), planes: Numbers::load_array_ref(simd, planes) }
+    pub fn triangles(&self) -> &[Triangle<N>] {
+        &self.0
     }
 }
 
-impl Stored {
-    fn normal(&self, lane: usize) -> DVec3 {
-        DVec3::from_array(self.normals.map(|axis| axis[lane]))
+impl<N: Number> Triangle<N> {
+    #[inline(always)]
+    pub fn facing(&self, token: N::Token) -> Facing<N> {
+        Facing {
+            normal: Vectors::load(token, &self.normal),
+            square: N::load(token, &self.square),
+            plane: N::load(token, &self.plane),
+        }
     }
 }
 
-/// The original normals of a chunk.
-pub(super) struct Normals<S: Simd> {
-    normals: Vectors<S>,
-    planes: Numbers<S>,
+/// How an original triangle of each star faced.
+pub(super) struct Facing<N> {
+    normal: Vectors<N>,
+    square: N,
+    plane: N,
 }
 
-impl<S: Simd> Normals<S> {
-    /// Where triangles with these normals (of any length) have turned from their originals by less than an angle below 90°,
-    /// given by its squared cosine.
+impl<N: Number> Facing<N> {
+    /// Where triangles have turned from their originals by less than an angle below 90°, given by its squared cosine.
     #[inline(always)]
-    pub fn agree_with(&self, normals: Vectors<S>, squared_cosine: f64) -> Truths<S> {
-        let along = self.normals.dot(normals);
-        let bound = self.normals.square() * squared_cosine * normals.square();
-        along.simd_ge(0.0) & (along * along).simd_ge(bound)
+    pub fn agrees(&self, token: N::Token, now: &Witness<N>, squared_cosine: f64) -> N::Truth {
+        let along = self.normal.dot(now.normal);
+        let bound = self.square * N::splat(token, squared_cosine) * now.square;
+        N::splat(token, 0.0).at_most(along) & bound.at_most(along * along)
     }
 
     /// Where a vertex that has gone from its original place by `now` is at most `reach` (squared) from the original
     /// plane, or at least no farther than it was at `before`.
     #[inline(always)]
-    pub fn are_near(&self, simd: S, before: DVec3, now: DVec3, squared_reach: f64) -> Truths<S> {
-        let before = self.normals.dot(Vectors::splat(simd, before));
-        let now = self.normals.dot(Vectors::splat(simd, now));
+    pub fn is_near(&self, token: N::Token, before: Vectors<N>, now: Vectors<N>, squared_reach: N) -> N::Truth {
+        let before = self.normal.dot(before);
+        let now = self.normal.dot(now);
         let now = now * now;
-        self.planes.simd_eq(0.0) | now.simd_le(self.planes * squared_reach) | now.simd_le(before * before)
+        self.plane.equals(N::splat(token, 0.0)) | now.at_most(self.plane * squared_reach) | now.at_most(before * before)
     }
 }

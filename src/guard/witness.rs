@@ -1,62 +1,75 @@
-//! What the guard knows of the shapes of a chunk of triangles.
+//! What the guard knows of the shape of a triangle of each star.
 
-use fearless_simd::prelude::*;
-
-use crate::star::{Numbers, Truths, Vectors, least};
+use crate::star::{Number, Vectors};
 
 /// Triangles with the apex at the origin. Shapes are compared by their squares, which saves the square roots.
-pub(super) struct Witness<S: Simd> {
+pub(super) struct Witness<N> {
     /// Twice as long as the areas.
-    pub normal: Vectors<S>,
-    /// Twelve times the squares of the normals: the squared mean-ratio shape is this over `bulk`.
-    area: Numbers<S>,
-    /// The squared sum of the squared edges.
-    bulk: Numbers<S>,
+    pub normal: Vectors<N>,
+    /// The squares of the normals.
+    pub square: N,
+    /// The squared sums of the squared edges: the squared mean-ratio shape is twelve squares over this.
+    bulk: N,
 }
 
-impl<S: Simd> Witness<S> {
+/// A rim vertex relative to the centre, and its squared distance from it: two triangles share it.
+#[derive(Clone, Copy)]
+pub(super) struct Arm<N> {
+    pub end: Vectors<N>,
+    pub square: N,
+}
+
+impl<N: Number> Arm<N> {
+    #[inline(always)]
+    pub fn new(end: Vectors<N>) -> Self {
+        Self { end, square: end.square() }
+    }
+}
+
+impl<N: Number> Witness<N> {
     /// The triangles (0, a, b).
     #[inline(always)]
-    pub fn new(a: Vectors<S>, b: Vectors<S>) -> Self {
-        let normal = a.cross(b);
-        let sum = a.square() + b.square() + b.minus(a).square();
-        Self { normal, area: normal.square() * 12.0, bulk: sum * sum }
+    pub fn new(a: Arm<N>, b: Arm<N>) -> Self {
+        let normal = a.end.cross(b.end);
+        let sum = a.square + b.square + b.end.minus(a.end).square();
+        Self { normal, square: normal.square(), bulk: sum * sum }
+    }
+
+    #[inline(always)]
+    fn area(&self, token: N::Token) -> N {
+        self.square * N::splat(token, 12.0)
     }
 
     /// Squared shapes; 0 for a triangle without edges.
     #[inline(always)]
-    fn squared_shape(&self, simd: S) -> Numbers<S> {
-        self.bulk.simd_gt(0.0).select(self.area / self.bulk, Numbers::splat(simd, 0.0))
-    }
-
-    /// The least squared shape of those that are `present`.
-    #[inline(always)]
-    pub fn least(&self, simd: S, present: Truths<S>) -> f64 {
-        least(present.select(self.squared_shape(simd), Numbers::splat(simd, f64::INFINITY)))
+    pub fn squared_shape(&self, token: N::Token) -> N {
+        let zero = N::splat(token, 0.0);
+        N::choose(zero.below(self.bulk), self.area(token) / self.bulk, zero)
     }
 
     /// Where the shape is above a bound.
     #[inline(always)]
-    pub fn exceeds(&self, shape: f64) -> Truths<S> {
-        self.area.simd_gt(self.bulk * (shape * shape))
+    pub fn exceeds(&self, token: N::Token, shape: f64) -> N::Truth {
+        (self.bulk * N::splat(token, shape * shape)).below(self.area(token))
     }
 
     /// Where the squared shape is not below `bar`.
     #[inline(always)]
-    pub fn reaches(&self, bar: f64) -> Truths<S> {
-        self.area.simd_ge(self.bulk * bar) & (self.bulk.simd_gt(0.0) | self.bulk.simd_ge(bar))
+    pub fn reaches(&self, token: N::Token, bar: N) -> N::Truth {
+        let has_edges = N::splat(token, 0.0).below(self.bulk);
+        (self.bulk * bar).at_most(self.area(token)) & (has_edges | bar.at_most(self.bulk))
     }
 
-    /// Where the triangles turn against the directions `outward`.
+    /// Where the triangle turns against the direction `outward`.
     #[inline(always)]
-    pub fn oppose(&self, outward: Vectors<S>) -> Truths<S> {
-        self.normal.dot(outward).simd_lt(0.0)
+    pub fn opposes(&self, token: N::Token, outward: Vectors<N>) -> N::Truth {
+        self.normal.dot(outward).below(N::splat(token, 0.0))
     }
 
-    /// Where triangles that oppose are not folded, or not in better shape folded than `before`.
+    /// Where a triangle that opposes is not folded, or not in better shape folded than `before`.
     #[inline(always)]
-    pub fn unfolds(&self, simd: S, before: &Self, outward: Vectors<S>) -> Truths<S> {
-        let had = before.oppose(outward) & before.squared_shape(simd).simd_ge(self.squared_shape(simd));
-        !self.oppose(outward) | had | self.area.simd_eq(0.0)
+    pub fn unfolds(&self, token: N::Token, before: &Self, outward: Vectors<N>) -> N::Truth {
+        let had = before.opposes(token, outward) & self.squared_shape(token).at_most(before.squared_shape(token));
+        !self.opposes(token, outward) | had | self.square.equals(N::splat(token, 0.0))
     }
 }

@@ -38,13 +38,19 @@ impl<'a> Mesh<'a> {
     /// The nearest position that the caller's buffers can hold.
     #[inline(always)]
     pub fn storable(&self, position: DVec3) -> DVec3 {
-        if self.single {
-            self.rounded::<f32>(position)
-        } else if self.unit == 1.0 {
+        if self.holds_everything() {
             position
+        } else if self.single {
+            self.rounded::<f32>(position)
         } else {
             self.rounded::<f64>(position)
         }
+    }
+
+    /// Whether the caller's buffers can hold every position.
+    #[inline(always)]
+    pub fn holds_everything(&self) -> bool {
+        !self.single && self.unit == 1.0
     }
 
     fn rounded<T: Coordinate>(&self, position: DVec3) -> DVec3 {

@@ -1,173 +1,306 @@
-//! One star taken out of the mesh: its ring, relative to its centre.
+//! Stars taken out of the mesh: their rings, relative to their centres.
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch};
+use std::iter::once;
+
 use glam::DVec3;
 
-use super::lanes::{self, LANES, Truths, Vectors};
+use super::number::Number;
+use super::vectors::{Vectors, set_vector, vector};
 use crate::mesh::Stars;
 
-/// A star relative to its centre, so that nothing depends on where in space it lies. Triangle i is
-/// (centre, rim vertex i, rim vertex i + 1). Reused from star to star.
-#[derive(Default)]
-pub(crate) struct LocalStar {
-    /// Position of the centre.
-    pub centre: DVec3,
-    /// Rim vertex at which the second sector begins; the star of a crease vertex has two, any other star one.
-    pub split: usize,
-    valence: usize,
+/// Stars side by side at most.
+const MOST: usize = 8;
+
+/// Stars side by side, each relative to its centre, so that nothing depends on where in space it lies. Triangle i of a star
+/// is (centre, rim vertex i, rim vertex i + 1). Reused from stars to stars.
+pub(crate) struct LocalStars<N: Number> {
+    centres: [N::Row; 3],
+    /// Where the centres are in the original mesh.
+    origins: [N::Row; 3],
+    /// Numbers of triangles.
+    valences: N::Row,
+    /// Number of triangles of the largest star.
+    longest: usize,
+    /// Rim vertex at which the second sector begins; only a crease vertex has two, and only a star alone may be one.
+    split: usize,
     /// As many as the largest star so far has had.
-    stretches: Vec<Stretch>,
+    spokes: Vec<Spoke<N>>,
 }
 
-/// The rim of eight triangles. Behind the last triangle of the star its end is repeated: edges without length.
-#[derive(Clone, Copy, Default)]
-struct Stretch {
-    /// Numbers of the rim vertices; of a closed star the first one comes again at the end.
-    vertices: [u32; LANES + 1],
-    /// Starts of the rim edges relative to the centre.
-    a: [[f64; LANES]; 3],
-    /// Their ends.
-    b: [[f64; LANES]; 3],
-}
+/// A star alone.
+pub(crate) type LocalStar = LocalStars<f64>;
 
-/// Up to eight triangles of a star: triangle i is (centre, a\[i\], b\[i\]). Lanes that are left over hold a triangle
-/// without area.
+/// A vertex, where it is, and where it is in the original mesh.
 #[derive(Clone, Copy)]
-pub(crate) struct Chunk<S: Simd> {
-    pub a: Vectors<S>,
-    pub b: Vectors<S>,
-    /// Lanes with a triangle.
-    pub present: Truths<S>,
-    /// Lanes of the second sector.
-    pub second: Truths<S>,
+pub(crate) struct Site {
+    pub vertex: u32,
+    pub place: DVec3,
+    pub origin: DVec3,
 }
 
-impl LocalStar {
-    /// Takes up the whole star of `v`; `at` tells the position of a vertex.
+/// Rim vertex number so-and-so of each star; behind the end of a rim its last vertex is repeated, so that the triangles there
+/// have no area.
+pub(crate) struct Spoke<N: Number> {
+    /// Relative to the centres.
+    place: [N::Row; 3],
+    /// As they are in space.
+    origin: [N::Row; 3],
+    vertices: N::Vertices,
+}
+
+impl<N: Number> Default for Spoke<N> {
+    fn default() -> Self {
+        let vectors = [N::Row::default(); 3];
+        Self { vertices: N::Vertices::default(), place: vectors, origin: vectors }
+    }
+}
+
+impl<N: Number> Spoke<N> {
+    /// Positions relative to the centres.
     #[inline(always)]
-    pub fn take<S: Simd>(&mut self, simd: S, stars: &Stars, at: impl Fn(u32) -> DVec3, v: u32) {
-        self.take_rim(simd, stars.rim(v), at(v), at);
+    pub fn place(&self, token: N::Token) -> Vectors<N> {
+        Vectors::load(token, &self.place)
     }
 
-    /// Takes up the closed star of a crease vertex: two sectors, between the ring vertices number `first` and `second`.
+    /// Positions in the original mesh, as they are in space.
     #[inline(always)]
-    pub fn take_crease<S: Simd>(
-        &mut self,
-        simd: S,
-        stars: &Stars,
-        at: impl Fn(u32) -> DVec3,
-        v: u32,
-        [first, second]: [usize; 2],
-    ) {
-        let ring = stars.ring(v);
-        let rim = [&ring[first..], &ring[..=first]].concat();
-        self.take_rim(simd, &rim, at(v), at);
-        self.split = second - first;
+    pub fn origin(&self, token: N::Token) -> Vectors<N> {
+        Vectors::load(token, &self.origin)
     }
 
-    /// Takes up a closed star from its ring: vertex numbers and positions, the first ones not repeated. The second sector
-    /// starts at the ring vertex number `split`; `None`: there is none.
-    pub fn take_ring(&mut self, centre: DVec3, ring: &[(u32, DVec3)], split: Option<usize>) {
-        let rim: Vec<u32> = (0..ring.len() as u32).chain([0]).collect();
-        dispatch!(Level::baseline(), simd => self.take_rim(simd, &rim, centre, |i| ring[i as usize].1));
-        let chunks = self.chunks();
-        for stretch in &mut self.stretches[..chunks] {
-            stretch.vertices = stretch.vertices.map(|i| ring[i as usize].0);
+    #[inline(always)]
+    fn set(&mut self, star: usize, site: Site) {
+        self.vertices.as_mut()[star] = site.vertex;
+        set_vector(&mut self.place, star, site.place);
+        set_vector(&mut self.origin, star, site.origin);
+    }
+}
+
+/// Tells triangle by triangle which stars have one.
+pub(crate) struct Countdown<N> {
+    left: N,
+    zero: N,
+    one: N,
+}
+
+impl<N: Number> Countdown<N> {
+    /// For stars with `valences` triangles.
+    #[inline(always)]
+    pub fn new(token: N::Token, valences: N) -> Self {
+        Self { left: valences, zero: N::splat(token, 0.0), one: N::splat(token, 1.0) }
+    }
+
+    /// Which stars have the next triangle.
+    #[inline(always)]
+    pub fn next(&mut self) -> N::Truth {
+        let present = self.zero.below(self.left);
+        self.left = self.left - self.one;
+        present
+    }
+}
+
+impl<N: Number> Default for LocalStars<N> {
+    fn default() -> Self {
+        let (row, vectors) = (N::Row::default(), [N::Row::default(); 3]);
+        Self { centres: vectors, origins: vectors, valences: row, longest: 0, split: usize::MAX, spokes: Vec::new() }
+    }
+}
+
+impl<N: Number> LocalStars<N> {
+    /// Takes up the whole stars of `vertices`, each of which is in a triangle; `site` tells where a vertex is.
+    #[inline(always)]
+    pub fn take(&mut self, token: N::Token, stars: &Stars, site: impl Fn(u32) -> Site, vertices: &N::Vertices) {
+        let mut rims: [&[u32]; MOST] = [&[]; MOST];
+        (self.longest, self.split) = (0, usize::MAX);
+        for (star, rim) in rims.iter_mut().enumerate().take(N::STARS) {
+            *rim = stars.rim(vertices.as_ref()[star]);
+            self.valences.as_mut()[star] = (rim.len() - 1) as f64;
+            self.longest = self.longest.max(rim.len() - 1);
         }
-        self.split = split.unwrap_or(ring.len());
+        if N::STARS > 1 {
+            // Loops whose lengths vary less are better foreseen.
+            self.longest = self.longest.next_multiple_of(2);
+        }
+        self.make_room();
+        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+            self.set_centre(star, site(vertices.as_ref()[star]));
+            self.set_rim(star, rim, &site);
+        }
+        self.center(token);
     }
 
-    /// Takes up the star with this rim, one sector.
     #[inline(always)]
-    fn take_rim<S: Simd>(&mut self, simd: S, rim: &[u32], centre: DVec3, at: impl Fn(u32) -> DVec3) {
-        self.centre = centre;
-        self.valence = rim.len() - 1;
-        self.split = self.valence;
-        if self.stretches.len() < self.chunks() {
-            self.stretches.resize(self.chunks(), Stretch::default());
-        }
-        for chunk in 0..self.chunks() {
-            let stretch = &mut self.stretches[chunk];
-            stretch.vertices = nine(&rim[chunk * LANES..]);
-            let [a, b] = edges(simd, &stretch.vertices, centre, &at);
-            a.store(&mut stretch.a);
-            b.store(&mut stretch.b);
+    fn make_room(&mut self) {
+        if self.spokes.len() <= self.longest {
+            self.spokes.resize_with(self.longest + 1, Spoke::default);
         }
     }
 
-    /// Starts and ends of the rim edges of a chunk relative to `centre` in another mesh, where `at` tells the position of
-    /// a vertex.
     #[inline(always)]
-    pub fn edges_in<S: Simd>(
-        &self,
-        simd: S,
-        chunk: usize,
-        centre: DVec3,
-        at: impl Fn(u32) -> DVec3,
-    ) -> [Vectors<S>; 2] {
-        edges(simd, &self.stretches[chunk].vertices, centre, &at)
+    fn set_centre(&mut self, star: usize, site: Site) {
+        set_vector(&mut self.centres, star, site.place);
+        set_vector(&mut self.origins, star, site.origin);
+    }
+
+    /// Writes a rim into the spokes. The loop is as long for each star, so that its end is foreseen.
+    #[inline(always)]
+    fn set_rim(&mut self, star: usize, rim: &[u32], site: &impl Fn(u32) -> Site) {
+        let last = rim.len() - 1;
+        for (i, spoke) in self.spokes[..=self.longest].iter_mut().enumerate() {
+            spoke.set(star, site(rim[i.min(last)]));
+        }
+    }
+
+    /// Makes all places relative to the centres.
+    #[inline(always)]
+    fn center(&mut self, token: N::Token) {
+        let centres = self.centres(token);
+        for spoke in &mut self.spokes[..=self.longest] {
+            spoke.place(token).minus(centres).store(&mut spoke.place);
+        }
+    }
+
+    /// Number of triangles of the largest star.
+    #[inline(always)]
+    pub fn longest(&self) -> usize {
+        self.longest
+    }
+
+    /// Numbers of triangles.
+    #[inline(always)]
+    pub fn valences(&self, token: N::Token) -> N {
+        N::load(token, &self.valences)
+    }
+
+    /// Tells triangle by triangle which stars have one.
+    #[inline(always)]
+    pub fn countdown(&self, token: N::Token) -> Countdown<N> {
+        Countdown::new(token, self.valences(token))
+    }
+
+    /// Number of triangles of one star.
+    pub fn valence_of(&self, star: usize) -> usize {
+        self.valences.as_ref()[star] as usize
+    }
+
+    /// Rim vertex at which the second sector begins, or at which the rim ends.
+    #[inline(always)]
+    pub fn split(&self) -> usize {
+        self.split.min(self.longest)
+    }
+
+    /// The sector of triangle number `i`.
+    #[inline(always)]
+    pub fn sector(&self, i: usize) -> usize {
+        usize::from(i >= self.split)
     }
 
     /// Whether a crease divides the star into two sectors.
     #[inline(always)]
     pub fn is_crease(&self) -> bool {
-        self.split < self.valence()
+        self.split < self.longest
+    }
+
+    /// Positions of the centres.
+    #[inline(always)]
+    pub fn centres(&self, token: N::Token) -> Vectors<N> {
+        Vectors::load(token, &self.centres)
+    }
+
+    /// Positions of the centres in the original mesh.
+    #[inline(always)]
+    pub fn origins(&self, token: N::Token) -> Vectors<N> {
+        Vectors::load(token, &self.origins)
+    }
+
+    /// How far the centres are from where they were in the original mesh.
+    #[inline(always)]
+    pub fn drift(&self, token: N::Token) -> Vectors<N> {
+        self.centres(token).minus(self.origins(token))
+    }
+
+    /// The rim vertices, one more than there are triangles.
+    #[inline(always)]
+    pub fn spokes(&self) -> &[Spoke<N>] {
+        &self.spokes[..=self.longest]
+    }
+
+    /// The numbers of the rim vertices number `i`.
+    pub fn vertices(&self, i: usize) -> &[u32] {
+        self.spokes[i].vertices.as_ref()
+    }
+
+    /// Twice the vector areas of the two sectors; the second ones are zero where there is no crease.
+    #[inline(always)]
+    pub fn areas(&self, token: N::Token) -> [Vectors<N>; 2] {
+        let mut areas = [Vectors::zero(token); 2];
+        let mut a = self.spokes[0].place(token);
+        for (i, spoke) in self.spokes()[1..].iter().enumerate() {
+            let b = spoke.place(token);
+            let area = &mut areas[self.sector(i)];
+            *area = area.plus(a.cross(b));
+            a = b;
+        }
+        areas
+    }
+
+    /// Copies one star out.
+    pub fn copy_into(&self, star: usize, alone: &mut LocalStar) {
+        alone.valences = [self.valences.as_ref()[star]];
+        (alone.longest, alone.split) = (self.valence_of(star), self.split);
+        alone.make_room();
+        let site = |vertex, place, origin| Site { vertex, place: vector(place, star), origin: vector(origin, star) };
+        alone.set_centre(0, site(0, &self.centres, &self.origins));
+        for (own, Spoke { vertices, place, origin }) in alone.spokes[..=alone.longest].iter_mut().zip(&self.spokes) {
+            own.set(0, site(vertices.as_ref()[star], place, origin));
+        }
+    }
+}
+
+impl LocalStar {
+    /// Takes up the closed star of a crease vertex: two sectors, between the ring vertices number `first` and `second`.
+    pub fn take_crease(&mut self, stars: &Stars, site: impl Fn(u32) -> Site, v: u32, [first, second]: [usize; 2]) {
+        let ring = stars.ring(v);
+        let rim = ring[first..].iter().chain(&ring[..=first]).map(|&r| site(r));
+        self.take_alone(site(v), ring.len(), rim, second - first);
+    }
+
+    /// Takes up a closed star from its ring, whose first vertex is not repeated. The second sector starts at the ring vertex
+    /// number `split`; `None`: there is none.
+    pub fn take_ring(&mut self, centre: Site, ring: &[Site], split: Option<usize>) {
+        let rim = ring.iter().chain(once(&ring[0])).copied();
+        self.take_alone(centre, ring.len(), rim, split.unwrap_or(usize::MAX));
+    }
+
+    fn take_alone(&mut self, centre: Site, valence: usize, rim: impl Iterator<Item = Site>, split: usize) {
+        self.set_centre(0, centre);
+        self.valences = [valence as f64];
+        (self.longest, self.split) = (valence, split);
+        self.make_room();
+        for (spoke, site) in self.spokes.iter_mut().zip(rim) {
+            spoke.set(0, site);
+        }
+        self.center(());
+    }
+
+    /// Position of the centre.
+    pub fn centre(&self) -> DVec3 {
+        vector(&self.centres, 0)
     }
 
     /// Number of triangles.
-    #[inline(always)]
     pub fn valence(&self) -> usize {
-        self.valence
-    }
-
-    /// Number of chunks.
-    #[inline(always)]
-    pub fn chunks(&self) -> usize {
-        self.valence.div_ceil(LANES)
-    }
-
-    /// The lanes of a chunk with a triangle.
-    #[inline(always)]
-    pub fn present<S: Simd>(&self, simd: S, chunk: usize) -> Truths<S> {
-        lanes::below(simd, chunk, self.valence())
-    }
-
-    /// Chunk number `chunk`.
-    #[inline(always)]
-    pub fn chunk<S: Simd>(&self, simd: S, chunk: usize) -> Chunk<S> {
-        let Stretch { a, b, .. } = &self.stretches[chunk];
-        Chunk {
-            a: Vectors::from_arrays(simd, a),
-            b: Vectors::from_arrays(simd, b),
-            present: self.present(simd, chunk),
-            second: !lanes::below(simd, chunk, self.split),
-        }
+        self.longest
     }
 
     /// Rim vertex number `i` relative to the centre.
     pub fn point(&self, i: usize) -> DVec3 {
-        match i.checked_sub(1) {
-            None => DVec3::from_array(self.stretches[0].a.map(|axis| axis[0])),
-            Some(edge) => DVec3::from_array(self.stretches[edge / LANES].b.map(|axis| axis[edge % LANES])),
-        }
-    }
-
-    /// The numbers of rim vertices `i` and `i + 1`.
-    pub fn rim_edge(&self, i: usize) -> [u32; 2] {
-        let vertices = &self.stretches[i / LANES].vertices;
-        [vertices[i % LANES], vertices[i % LANES + 1]]
+        vector(&self.spokes[i].place, 0)
     }
 
     /// The rim relative to the centre.
     pub fn rim(&self) -> impl Iterator<Item = DVec3> + Clone {
         (0..=self.valence()).map(|i| self.point(i))
-    }
-
-    /// Twice the vector areas of the two sectors; the second one is zero where there is none.
-    pub fn double_areas(&self) -> [DVec3; 2] {
-        let mut areas = self.sectors().map(double_vector_area);
-        [areas.next().unwrap_or_default(), areas.next().unwrap_or_default()]
     }
 
     /// Twice the vector area of the whole star.
@@ -177,26 +310,9 @@ impl LocalStar {
 
     /// The sectors: stretches of the rim with the triangles between features.
     pub fn sectors(&self) -> impl Iterator<Item = impl Iterator<Item = DVec3> + Clone> {
-        let second = self.is_crease().then_some(self.split..=self.valence());
-        std::iter::once(0..=self.split).chain(second).map(|sector| sector.map(|i| self.point(i)))
+        let second = self.is_crease().then_some(self.split()..=self.valence());
+        once(0..=self.split()).chain(second).map(|sector| sector.map(|i| self.point(i)))
     }
-}
-
-/// The first nine vertices of a rim that has one at least, its last one repeated where it has fewer.
-#[inline(always)]
-fn nine(rim: &[u32]) -> [u32; LANES + 1] {
-    let last = rim.len() - 1;
-    let at = |i: usize| rim[i.min(last)];
-    [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)]
-}
-
-/// Starts and ends of eight rim edges.
-#[inline(always)]
-fn edges<S: Simd>(simd: S, vertices: &[u32; LANES + 1], centre: DVec3, at: &impl Fn(u32) -> DVec3) -> [Vectors<S>; 2] {
-    let [v0, v1, v2, v3, v4, v5, v6, v7, v8] = *vertices;
-    let a = Vectors::of(simd, [at(v0), at(v1), at(v2), at(v3), at(v4), at(v5), at(v6), at(v7)]);
-    let a = a.minus(Vectors::splat(simd, centre));
-    [a, a.next(simd, at(v8) - centre)]
 }
 
 /// Twice the vector area of a fan about the origin: Σ A × B. For a closed star it is the vector area of the ring and does

@@ -1,20 +1,26 @@
 //! Modelling of better values from the star's own statistics: formulas (1) to (4) of the paper.
 
-use fearless_simd::prelude::*;
-
-use super::lanes::{self, LANES, Numbers};
+use super::local::Countdown;
+use super::number::Number;
+use super::operation::Sample;
 use crate::options::Options;
 
 /// Largest star whose logarithms are tabulated, and whose ranks are counted one by one.
 const TABLE: usize = 32;
+
+/// Entries of a row of the table: a power of two, so that a number cut down to its last bits is in range.
+const ROW: usize = 64;
+
+/// What a whole number is counted from, so that its last bits are the number itself.
+const WHOLE: f64 = (1_u64 << (f64::MANTISSA_DIGITS - 1)) as f64;
 
 /// Formulas (1) to (4) with their settings.
 pub(crate) struct Model {
     /// 1 / w.
     per_interval: f64,
     sample_limit: f64,
-    /// Entry \[n\]\[c\] is √(−2 ln(1 − c / (n + 1))): F takes no other values.
-    roots: Vec<[f64; TABLE + 1]>,
+    /// Entry \[n\]\[c\] is √(−2 ln(1 − c / (n + 1))): F takes no other values. Only the first n + 1 have a meaning.
+    roots: Vec<[f64; ROW]>,
 }
 
 impl Model {
@@ -27,83 +33,76 @@ impl Model {
         }
     }
 
-    /// Bounds the samples of a star of `n` triangles and returns √D of formula (1).
+    /// A sample that is too large counts as the limit.
     #[inline(always)]
-    pub fn deviation<S: Simd>(&self, simd: S, samples: &mut [[f64; LANES]], n: usize) -> f64 {
-        let (limit, none) = (Numbers::splat(simd, self.sample_limit), Numbers::splat(simd, 0.0));
-        let mut total = none;
-        for (chunk, sample) in samples.iter_mut().enumerate() {
-            let value = Numbers::load_array_ref(simd, sample);
-            let value = value.simd_lt(limit).select(value, limit);
-            value.store_array(sample);
-            total += lanes::below(simd, chunk, n).select(value, none);
-        }
-        let mean = lanes::sum(total) / n as f64;
-        let mut squares = none;
-        for (chunk, sample) in samples.iter().enumerate() {
-            let off = Numbers::load_array_ref(simd, sample) - mean;
-            squares += lanes::below(simd, chunk, n).select(off * off, none);
-        }
-        (lanes::sum(squares) / n as f64).sqrt()
+    pub fn bounded<N: Number>(&self, token: N::Token, sample: N) -> N {
+        let limit = N::splat(token, self.sample_limit);
+        N::choose(sample.below(limit), sample, limit)
     }
 
-    /// Replaces the samples by the modelled values a*, given √D.
+    /// Number of the interval (1 + (j − 1)·w, 1 + j·w] that holds a sample; 1 itself lies in the first. No comparison holds
+    /// for a star where the triangle is not `present`.
     #[inline(always)]
-    pub fn apply<S: Simd>(&self, simd: S, samples: &mut [[f64; LANES]], n: usize, deviation: f64) {
-        for (chunk, sample) in samples.iter_mut().enumerate() {
-            // No comparison holds for a lane without a triangle.
-            let nothing = Numbers::splat(simd, f64::NAN);
-            let interval = self.interval(simd, Numbers::load_array_ref(simd, sample));
-            lanes::below(simd, chunk, n).select(interval, nothing).store_array(sample);
-        }
-        if samples.len() == 1 {
-            let intervals = samples[0];
-            samples[0] = self.roots(simd, &[intervals], &intervals, n);
-        } else if n <= TABLE {
-            let mut intervals = [[f64::NAN; LANES]; TABLE / LANES];
-            intervals[..samples.len()].copy_from_slice(samples);
-            for sample in samples.iter_mut() {
-                *sample = self.roots(simd, &intervals, sample, n);
-            }
-        } else {
-            roots_by_sorting(samples, n);
-        }
+    pub fn interval<N: Number>(&self, token: N::Token, value: N, present: N::Truth) -> N {
+        let one = N::splat(token, 1.0);
+        let number = ((value - one) * N::splat(token, self.per_interval)).ceil();
+        N::choose(present, N::choose(number.below(one), one, number), N::splat(token, f64::NAN))
+    }
+
+    /// √D of formula (1), for stars with `valences` triangles whose samples have the sum `total`.
+    #[inline(always)]
+    pub fn deviation<N: Number>(&self, token: N::Token, samples: &[Sample<N>], total: N, valences: N) -> N {
+        let (mean, mut squares) = (total / valences, N::splat(token, 0.0));
+        let mut countdown = Countdown::new(token, valences);
         for sample in samples {
-            // Formula (4).
-            (Numbers::load_array_ref(simd, sample) * deviation + 1.0).store_array(sample);
+            let off = N::load(token, &sample.value) - mean;
+            squares = squares + (off * off).only(token, countdown.next());
         }
+        (squares / valences).root()
     }
 
-    /// Number of the interval (1 + (j − 1)·w, 1 + j·w] that holds a sample; 1 itself lies in the first.
+    /// Ranks the samples: √(−2 ln(1 − F)), F by formula (3).
     #[inline(always)]
-    fn interval<S: Simd>(&self, simd: S, value: Numbers<S>) -> Numbers<S> {
-        let one = Numbers::splat(simd, 1.0);
-        let number = ((value - one) * self.per_interval).ceil();
-        number.simd_lt(one).select(one, number)
+    pub fn rank<N: Number>(&self, token: N::Token, samples: &mut [Sample<N>], valences: N) {
+        if samples.len() > TABLE {
+            return rank_by_sorting(samples, &valences.row());
+        }
+        let one = N::splat(token, 1.0);
+        for own in 0..samples.len() {
+            let (interval, mut count) = (N::load(token, &samples[own].interval), N::splat(token, WHOLE));
+            for other in samples.iter() {
+                count = count + one.only(token, N::load(token, &other.interval).at_most(interval));
+            }
+            count.store(&mut samples[own].rank);
+        }
+        self.look_up(samples, &valences.row());
     }
 
-    /// √(−2 ln(1 − F)), F by formula (3), for samples in the intervals `own` out of `all`.
+    /// Replaces counts by what they mean.
     #[inline(always)]
-    fn roots<S: Simd>(&self, simd: S, all: &[[f64; LANES]], own: &[f64; LANES], n: usize) -> [f64; LANES] {
-        let (one, none) = (Numbers::splat(simd, 1.0), Numbers::splat(simd, 0.0));
-        let (own, mut count, mut root) = (Numbers::load_array_ref(simd, own), none, none);
-        for interval in all.as_flattened() {
-            count += own.simd_ge(*interval).select(one, none);
+    fn look_up<N: Number>(&self, samples: &mut [Sample<N>], valences: &N::Row) {
+        for star in 0..N::STARS {
+            let roots = &self.roots[valences.as_ref()[star] as usize];
+            for sample in samples.iter_mut() {
+                let rank = &mut sample.rank.as_mut()[star];
+                *rank = roots[rank.to_bits() as usize % ROW];
+            }
         }
-        for (c, &value) in self.roots[n][1..=LANES * all.len()].iter().enumerate() {
-            root = count.simd_eq((c + 1) as f64).select(Numbers::splat(simd, value), root);
-        }
-        root.to_array()
     }
 }
 
-/// The same for stars of any size: replaces the numbers of intervals.
+/// The same for stars of any size.
 #[cold]
-fn roots_by_sorting(samples: &mut [[f64; LANES]], n: usize) {
-    let mut intervals = samples.as_flattened()[..n].to_vec();
-    intervals.sort_unstable_by(f64::total_cmp);
-    for sample in &mut samples.as_flattened_mut()[..n] {
-        *sample = root_term(intervals.partition_point(|interval| interval <= sample), n);
+fn rank_by_sorting<N: Number>(samples: &mut [Sample<N>], valences: &N::Row) {
+    for star in 0..N::STARS {
+        let n = valences.as_ref()[star] as usize;
+        let own = |sample: &Sample<N>| sample.interval.as_ref()[star];
+        let mut intervals: Vec<f64> = samples[..n].iter().map(own).collect();
+        intervals.sort_unstable_by(f64::total_cmp);
+        for sample in &mut samples[..n] {
+            let count = intervals.partition_point(|&interval| interval <= own(sample));
+            sample.rank.as_mut()[star] = root_term(count, n);
+        }
     }
 }
 
@@ -115,20 +114,21 @@ fn root_term(count: usize, n: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use fearless_simd::{Level, dispatch};
-
     use super::*;
 
     fn modelled(samples: &[f64], width: f64, limit: f64) -> Vec<f64> {
         let options = Options { interval_width: width, sample_limit: limit, ..Options::default() };
-        let mut values = vec![[0.0; LANES]; samples.len().div_ceil(LANES)];
-        values.as_flattened_mut()[..samples.len()].copy_from_slice(samples);
-        let model = Model::new(&options);
-        dispatch!(Level::new(), simd => {
-            let deviation = model.deviation(simd, &mut values, samples.len());
-            model.apply(simd, &mut values, samples.len(), deviation);
-        });
-        values.as_flattened()[..samples.len()].to_vec()
+        let (model, n) = (Model::new(&options), samples.len() as f64);
+        let mut all: Vec<Sample<f64>> = samples.iter().map(|_| Sample::default()).collect();
+        let mut total = 0.0;
+        for (sample, &value) in all.iter_mut().zip(samples) {
+            let value = model.bounded((), value);
+            (sample.value, sample.interval) = ([value], [model.interval((), value, true)]);
+            total += value;
+        }
+        model.rank((), &mut all, n);
+        let deviation = model.deviation((), &all, total, n);
+        all.iter().map(|sample| 1.0 + sample.rank[0] * deviation).collect()
     }
 
     #[test]

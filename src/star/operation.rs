@@ -1,16 +1,13 @@
-//! The operation on a star, step by step: where its statistics want the centre.
-//!
-//! A step waits long for its divisions and roots. So the steps can be called apart, each for many stars that don't depend on
-//! each other, before the next one is: while one star waits, the machine works on the others.
+//! The operation on stars, step by step: where their statistics want the centres.
 
-use fearless_simd::prelude::*;
 use glam::DVec3;
 
-use super::lanes::{LANES, Numbers, Vectors};
-use super::local::{Chunk, LocalStar};
+use super::local::{LocalStar, LocalStars};
 use super::model::Model;
-use super::plane::{self, TangentPlane};
-use super::potential::{Flat, Points};
+use super::number::Number;
+use super::plane::{self, TangentPlanes};
+use super::potential::Flat;
+use super::vectors::{Points, Vectors, set_vector, vector};
 use crate::options::{Ideal, Options, Plane};
 
 /// The operation with its settings.
@@ -20,19 +17,32 @@ pub(crate) struct Operation {
     plane: Plane,
 }
 
-/// What the steps leave to each other. Reused from star to star.
-#[derive(Default)]
-pub(crate) struct Draft {
-    /// Twice the vector areas of the two sectors; the second one is zero where there is none.
-    pub areas: [DVec3; 2],
-    /// The planes of the two sectors.
-    planes: [TangentPlane; 2],
-    /// The projected triangles, eight to an entry, as many entries as the largest star so far has had.
-    flats: Vec<Flat>,
-    /// Their sampled values a, then their modelled values a*.
-    values: Vec<[f64; LANES]>,
-    /// √D of formula (1).
-    deviation: f64,
+/// A triangle of each star while the operation is at work.
+pub(super) struct Sample<N: Number> {
+    /// The projected triangle.
+    pub flat: Flat<N>,
+    /// Its sampled value a.
+    pub value: N::Row,
+    /// The number of the interval that holds it.
+    pub interval: N::Row,
+    /// How many samples formula (3) counts for it, then what formula (4) multiplies with √D.
+    pub rank: N::Row,
+}
+
+/// Working memory of the operation: as many triangles as the largest star so far has had.
+pub(crate) struct Draft<N: Number>(Vec<Sample<N>>);
+
+impl<N: Number> Default for Sample<N> {
+    fn default() -> Self {
+        let row = N::Row::default();
+        Self { flat: Flat::default(), value: row, interval: row, rank: row }
+    }
+}
+
+impl<N: Number> Default for Draft<N> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
 }
 
 impl Operation {
@@ -40,107 +50,120 @@ impl Operation {
         Self { model: Model::new(options), ideal: options.ideal, plane: options.plane }
     }
 
-    /// All steps: from the centre to the mean of the potential centers, each in its sector's own plane; `None` for a star
-    /// that has no plane.
-    #[inline(always)]
-    pub fn target<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) -> Option<DVec3> {
-        if !self.find_planes(simd, star, draft) {
-            return None;
-        }
-        self.sample(simd, star, draft);
-        self.model(simd, star, draft);
-        Some(self.mean_center(simd, star, draft))
+    /// From the centre of a star to the mean of the potential centers; `None` for a star that has no plane.
+    pub fn target(&self, star: &LocalStar, draft: &mut Draft<f64>) -> Option<DVec3> {
+        let (target, exists) = self.targets((), star, &star.areas(()), draft);
+        exists.then(|| target.into())
     }
 
-    /// First step: the tangent planes. False if the star has none.
+    /// From the centres to the means of the potential centers, each in its sector's own plane, and which stars have planes
+    /// at all. `areas` are those of [`LocalStars::areas`].
     #[inline(always)]
-    pub fn find_planes<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) -> bool {
-        draft.areas = areas(simd, star);
-        let Draft { planes: [first, second], areas, .. } = draft;
-        self.find_plane(star, 0, star.split, areas[0], first)
-            && (!star.is_crease() || self.find_plane(star, star.split, star.valence(), areas[1], second))
-    }
-
-    /// Plane of the sector between two rim vertices.
-    #[inline(always)]
-    fn find_plane(&self, star: &LocalStar, first: usize, last: usize, area: DVec3, plane: &mut TangentPlane) -> bool {
-        match self.plane {
-            Plane::VectorArea => plane.turn(area),
-            Plane::LeastSquares => plane.turn(plane::least_squares((first..=last).map(|i| star.point(i)), area)),
+    pub fn targets<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        areas: &[Vectors<N>; 2],
+        draft: &mut Draft<N>,
+    ) -> (Vectors<N>, N::Truth) {
+        let valences = stars.valences(token);
+        if draft.0.len() < stars.longest() {
+            draft.0.resize_with(stars.longest(), Sample::default);
         }
-    }
-
-    /// Second step: projects the triangles and takes the statistics of their edge ratios, formula (1).
-    #[inline(always)]
-    pub fn sample<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
-        let chunks = star.chunks();
-        if draft.flats.len() < chunks {
-            draft.flats.resize(chunks, Flat::default());
-            draft.values.resize(chunks, [0.0; LANES]);
-        }
-        for chunk in 0..chunks {
-            let [a, b] = project(simd, star, &draft.planes, star.chunk(simd, chunk));
-            draft.flats[chunk].take(simd, a, b).store_array(&mut draft.values[chunk]);
-        }
-        draft.deviation = self.model.deviation(simd, &mut draft.values[..chunks], star.valence());
-    }
-
-    /// Third step: models better values, formulas (2) to (4).
-    #[inline(always)]
-    pub fn model<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
-        let values = &mut draft.values[..star.chunks()];
-        match self.ideal {
-            Ideal::Modelled => self.model.apply(simd, values, star.valence(), draft.deviation),
-            Ideal::Equilateral => values.fill([1.0; LANES]),
-        }
-    }
-
-    /// Last step: the mean of the potential centers.
-    #[inline(always)]
-    pub fn mean_center<S: Simd>(&self, simd: S, star: &LocalStar, draft: &Draft) -> DVec3 {
-        let (mut first, mut second) = (Points::zero(simd), Points::zero(simd));
-        for chunk in 0..star.chunks() {
-            let Chunk { present, second: is_second, .. } = star.chunk(simd, chunk);
-            let ideal = Numbers::load_array_ref(simd, &draft.values[chunk]);
-            let center = draft.flats[chunk].center(simd, ideal).only(simd, present);
-            if star.is_crease() {
-                first = first.plus(center.only(simd, !is_second));
-                second = second.plus(center.only(simd, is_second));
-            } else {
-                first = first.plus(center);
+        let samples = &mut draft.0[..stars.longest()];
+        let (planes, exist) = self.planes(token, stars, areas);
+        let total = self.sample(token, stars, &planes, samples);
+        let deviation = match self.ideal {
+            Ideal::Modelled => {
+                self.model.rank(token, samples, valences);
+                self.model.deviation(token, samples, total, valences)
             }
+            Ideal::Equilateral => N::splat(token, 0.0),
+        };
+        (self.mean_center(token, stars, &planes, samples, deviation), exist)
+    }
+
+    /// The planes of the sectors, and which stars have them.
+    #[inline(always)]
+    fn planes<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        areas: &[Vectors<N>; 2],
+    ) -> ([TangentPlanes<N>; 2], N::Truth) {
+        let normals = match self.plane {
+            Plane::VectorArea => *areas,
+            Plane::LeastSquares => least_squares(token, stars, areas),
+        };
+        let (first, exists) = TangentPlanes::new(token, normals[0]);
+        if !stars.is_crease() {
+            return ([first; 2], exists);
         }
-        let sum = draft.planes[0].lift(first.sum());
-        let sum = if star.is_crease() { sum + draft.planes[1].lift(second.sum()) } else { sum };
-        sum * (1.0 / star.valence() as f64)
+        let (second, exists_too) = TangentPlanes::new(token, normals[1]);
+        ([first, second], exists & exists_too)
+    }
+
+    /// Projects the triangles and samples their edge ratios. Returns the sums of the samples.
+    #[inline(always)]
+    fn sample<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        planes: &[TangentPlanes<N>; 2],
+        samples: &mut [Sample<N>],
+    ) -> N {
+        let (mut countdown, mut total) = (stars.countdown(token), N::splat(token, 0.0));
+        let mut a = planes[0].flatten(stars.spokes()[0].place(token));
+        for (i, (sample, spokes)) in samples.iter_mut().zip(stars.spokes().windows(2)).enumerate() {
+            let plane = &planes[stars.sector(i)];
+            if i == stars.split() {
+                a = plane.flatten(spokes[0].place(token));
+            }
+            let b = plane.flatten(spokes[1].place(token));
+            let present = countdown.next();
+            let value = self.model.bounded(token, sample.flat.take(token, a, b));
+            value.store(&mut sample.value);
+            self.model.interval(token, value, present).store(&mut sample.interval);
+            total = total + value.only(token, present);
+            a = b;
+        }
+        total
+    }
+
+    /// From the centres to the means of the potential centers for the modelled values, formula (4).
+    #[inline(always)]
+    fn mean_center<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        planes: &[TangentPlanes<N>; 2],
+        samples: &[Sample<N>],
+        deviation: N,
+    ) -> Vectors<N> {
+        let (mut countdown, one) = (stars.countdown(token), N::splat(token, 1.0));
+        let mut sums = [Points::<N>::zero(token); 2];
+        for (i, sample) in samples.iter().enumerate() {
+            let ideal = N::load(token, &sample.rank) * deviation + one;
+            let center = sample.flat.center(token, ideal).only(token, countdown.next());
+            let sum = &mut sums[stars.sector(i)];
+            *sum = sum.plus(center);
+        }
+        let sum = planes[0].raise(sums[0]);
+        let sum = if stars.is_crease() { sum.plus(planes[1].raise(sums[1])) } else { sum };
+        sum.times(one / stars.valences(token))
     }
 }
 
-/// Twice the vector areas of the two sectors.
+/// Normals of the least-squares planes of the sectors, star by star.
 #[inline(always)]
-fn areas<S: Simd>(simd: S, star: &LocalStar) -> [DVec3; 2] {
-    let none = Vectors::splat(simd, DVec3::ZERO);
-    let (mut first, mut second) = (none, none);
-    for chunk in 0..star.chunks() {
-        let Chunk { a, b, second: is_second, .. } = star.chunk(simd, chunk);
-        let cross = a.cross(b);
-        if star.is_crease() {
-            first = first.plus(none.or(is_second, cross));
-            second = second.plus(cross.or(is_second, none));
-        } else {
-            first = first.plus(cross);
+fn least_squares<N: Number>(token: N::Token, stars: &LocalStars<N>, areas: &[Vectors<N>; 2]) -> [Vectors<N>; 2] {
+    let mut alone = LocalStar::default();
+    let mut normals = [areas[0].rows(), areas[1].rows()];
+    for star in 0..N::STARS {
+        stars.copy_into(star, &mut alone);
+        for (sector, normal) in alone.sectors().zip(&mut normals) {
+            set_vector(normal, star, plane::least_squares(sector, vector(normal, star)));
         }
     }
-    [first.sum(), if star.is_crease() { second.sum() } else { DVec3::ZERO }]
-}
-
-/// Starts and ends of the rim edges of a chunk, each projected into the plane of its sector.
-#[inline(always)]
-fn project<S: Simd>(simd: S, star: &LocalStar, planes: &[TangentPlane; 2], chunk: Chunk<S>) -> [Points<S>; 2] {
-    let [mut u, mut w] = planes[0].lanes(simd);
-    if star.is_crease() {
-        let [second_u, second_w] = planes[1].lanes(simd);
-        (u, w) = (second_u.or(chunk.second, u), second_w.or(chunk.second, w));
-    }
-    [Points { x: chunk.a.dot(u), y: chunk.a.dot(w) }, Points { x: chunk.b.dot(u), y: chunk.b.dot(w) }]
+    [Vectors::load(token, &normals[0]), Vectors::load(token, &normals[1])]
 }

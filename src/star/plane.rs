@@ -1,54 +1,67 @@
 //! Tangent planes: where a star is flattened.
 
-use fearless_simd::prelude::*;
 use glam::{DMat3, DVec2, DVec3};
 
-use super::lanes::Vectors;
+use super::number::Number;
+use super::vectors::{Points, Vectors};
 
-/// A plane through the centre of a star, as two orthonormal directions; seen against the normal, the first turns
+/// A plane through the centre of each star, as two orthonormal directions; seen against the normal, the first turns
 /// counter-clockwise into the second.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct TangentPlane {
-    u: DVec3,
-    w: DVec3,
+#[derive(Clone, Copy)]
+pub(crate) struct TangentPlanes<N> {
+    u: Vectors<N>,
+    w: Vectors<N>,
+}
+
+/// The plane of a star alone.
+pub(crate) type TangentPlane = TangentPlanes<f64>;
+
+impl<N: Number> TangentPlanes<N> {
+    /// Orthogonal to `normals`, which need not be of unit length, and where those have a direction at all.
+    #[inline(always)]
+    pub fn new(token: N::Token, normals: Vectors<N>) -> (Self, N::Truth) {
+        let (zero, one) = (N::splat(token, 0.0), N::splat(token, 1.0));
+        let inverse = one / normals.square().root();
+        let n = normals.times(inverse);
+        // Needs no root and no choice of an axis: T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
+        let sign = N::choose(n.z.below(zero), zero - one, one);
+        let a = (zero - one) / (sign + n.z);
+        let b = n.x * n.y * a;
+        let u = Vectors { x: one + sign * n.x * n.x * a, y: sign * b, z: zero - sign * n.x };
+        let w = Vectors { x: b, y: sign + n.y * n.y * a, z: zero - n.y };
+        let exist = zero.below(inverse) & inverse.below(N::splat(token, f64::INFINITY));
+        (Self { u, w }, exist)
+    }
+
+    /// Coordinates of points in their planes.
+    #[inline(always)]
+    pub fn flatten(&self, points: Vectors<N>) -> Points<N> {
+        Points { x: points.dot(self.u), y: points.dot(self.w) }
+    }
+
+    /// The points of the planes with these coordinates.
+    #[inline(always)]
+    pub fn raise(&self, points: Points<N>) -> Vectors<N> {
+        self.u.times(points.x).plus(self.w.times(points.y))
+    }
 }
 
 impl TangentPlane {
     /// Orthogonal to `normal`, which need not be of unit length; `None` if it has no direction.
     pub fn orthogonal_to(normal: DVec3) -> Option<Self> {
-        let mut plane = Self::default();
-        plane.turn(normal).then_some(plane)
-    }
-
-    /// Turns it orthogonal to `normal`; false if that has no direction.
-    #[inline(always)]
-    pub fn turn(&mut self, normal: DVec3) -> bool {
-        let inverse = 1.0 / normal.length();
-        let n = normal * inverse;
-        // Needs no root and no choice of an axis: T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (2017).
-        let sign = 1.0_f64.copysign(n.z);
-        let a = -1.0 / (sign + n.z);
-        let b = n.x * n.y * a;
-        self.u = DVec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
-        self.w = DVec3::new(b, sign + n.y * n.y * a, -n.y);
-        inverse > 0.0 && inverse < f64::INFINITY
-    }
-
-    /// Its two directions in every lane.
-    #[inline(always)]
-    pub fn lanes<S: Simd>(&self, simd: S) -> [Vectors<S>; 2] {
-        [Vectors::splat(simd, self.u), Vectors::splat(simd, self.w)]
+        let (plane, exists) = Self::new((), normal.into());
+        exists.then_some(plane)
     }
 
     /// Coordinates of a point in the plane.
     pub fn project(&self, p: DVec3) -> DVec2 {
-        DVec2::new(p.dot(self.u), p.dot(self.w))
+        let Points { x, y } = self.flatten(p.into());
+        DVec2::new(x, y)
     }
 
     /// The point of the plane with these coordinates.
-    #[inline(always)]
     pub fn lift(&self, p: DVec2) -> DVec3 {
-        self.u * p.x + self.w * p.y
+        self.raise(p.into()).into()
     }
 }
 

@@ -1,86 +1,42 @@
 //! The potential form: where the apex of a triangle goes if its rim edge stays and its shape is to have a given value.
 
-use fearless_simd::prelude::*;
-use glam::DVec2;
+use super::number::Number;
+use super::vectors::Points;
 
-use super::lanes::{self, LANES, Numbers, Truths};
-
-/// Points of a plane, one in each lane.
-#[derive(Clone, Copy)]
-pub(super) struct Points<S: Simd> {
-    pub x: Numbers<S>,
-    pub y: Numbers<S>,
-}
-
-impl<S: Simd> Points<S> {
-    #[inline(always)]
-    pub fn zero(simd: S) -> Self {
-        Self { x: Numbers::splat(simd, 0.0), y: Numbers::splat(simd, 0.0) }
-    }
-
-    #[inline(always)]
-    fn from_arrays(simd: S, [x, y]: &[[f64; LANES]; 2]) -> Self {
-        Self { x: Numbers::load_array_ref(simd, x), y: Numbers::load_array_ref(simd, y) }
-    }
-
-    #[inline(always)]
-    fn store(self, [x, y]: &mut [[f64; LANES]; 2]) {
-        self.x.store_array(x);
-        self.y.store_array(y);
-    }
-
-    #[inline(always)]
-    fn square(self) -> Numbers<S> {
-        self.x * self.x + self.y * self.y
-    }
-
-    #[inline(always)]
-    pub fn plus(self, other: Self) -> Self {
-        Self { x: self.x + other.x, y: self.y + other.y }
-    }
-
-    /// Sum over the lanes.
-    #[inline(always)]
-    pub fn sum(self) -> DVec2 {
-        DVec2::new(lanes::sum(self.x), lanes::sum(self.y))
-    }
-
-    /// Zero where `truths` don't hold.
-    #[inline(always)]
-    pub fn only(self, simd: S, truths: Truths<S>) -> Self {
-        let zero = Self::zero(simd);
-        Self { x: truths.select(self.x, zero.x), y: truths.select(self.y, zero.y) }
-    }
-}
-
-/// Eight triangles with the apex at the origin, projected into their plane.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Flat {
-    /// Starts of the rim edges.
-    a: [[f64; LANES]; 2],
-    /// From the starts to the ends.
-    edge: [[f64; LANES]; 2],
+/// A triangle of each star with the apex at the origin, projected into its plane.
+pub(super) struct Flat<N: Number> {
+    /// Start of the rim edge.
+    a: [N::Row; 2],
+    /// From the start to the end.
+    edge: [N::Row; 2],
     /// 1 where the start is nearer to the apex than the end, else 0.
-    leans: [f64; LANES],
+    leans: N::Row,
 }
 
-impl Flat {
+impl<N: Number> Default for Flat<N> {
+    fn default() -> Self {
+        let row = N::Row::default();
+        Self { a: [row; 2], edge: [row; 2], leans: row }
+    }
+}
+
+impl<N: Number> Flat<N> {
     /// Takes up the triangles over the rim edges a → b. Returns their edge ratios, longest over shortest edge: infinite if
     /// the shortest has no length.
     #[inline(always)]
-    pub fn take<S: Simd>(&mut self, simd: S, a: Points<S>, b: Points<S>) -> Numbers<S> {
-        let edge = Points { x: b.x - a.x, y: b.y - a.y };
+    pub fn take(&mut self, token: N::Token, a: Points<N>, b: Points<N>) -> N {
+        let edge = b.minus(a);
         let (x, y, z) = (a.square(), b.square(), edge.square());
-        let leans = x.simd_lt(y);
-        let (near, far) = (leans.select(x, y), leans.select(y, x));
-        let shortest = near.simd_lt(z).select(near, z);
-        let longest = far.simd_lt(z).select(z, far);
-        let (one, none) = (Numbers::splat(simd, 1.0), Numbers::splat(simd, 0.0));
-        let ratio = shortest.simd_eq(none).select(Numbers::splat(simd, f64::INFINITY), longest / shortest);
+        let leans = x.below(y);
+        let (near, far) = (N::choose(leans, x, y), N::choose(leans, y, x));
+        let shortest = N::choose(near.below(z), near, z);
+        let longest = N::choose(far.below(z), z, far);
+        let (one, none) = (N::splat(token, 1.0), N::splat(token, 0.0));
+        let ratio = N::choose(shortest.equals(none), N::splat(token, f64::INFINITY), longest / shortest);
         a.store(&mut self.a);
         edge.store(&mut self.edge);
-        leans.select(one, none).store_array(&mut self.leans);
-        ratio.sqrt()
+        one.only(token, leans).store(&mut self.leans);
+        ratio.root()
     }
 
     /// Potential centers for the modelled values `ideal` ≥ 1; the inner side is to the left of the edge.
@@ -89,44 +45,40 @@ impl Flat {
     /// of the semicircle over the edge whose short side has that length, on the side to which the present apex is nearer.
     /// Both meet at half the edge's length above its middle.
     #[inline(always)]
-    pub fn center<S: Simd>(&self, simd: S, ideal: Numbers<S>) -> Points<S> {
-        let (a, edge) = (Points::from_arrays(simd, &self.a), Points::from_arrays(simd, &self.edge));
-        let leans = Numbers::load_array_ref(simd, &self.leans).simd_gt(0.0);
-        let one = Numbers::splat(simd, 1.0);
+    pub fn center(&self, token: N::Token, ideal: N) -> Points<N> {
+        let (a, edge) = (Points::<N>::load(token, &self.a), Points::<N>::load(token, &self.edge));
+        let (one, half) = (N::splat(token, 1.0), N::splat(token, 0.5));
+        let leans = N::splat(token, 0.0).below(N::load(token, &self.leans));
         let side = one / (ideal * ideal);
-        let isosceles = side.simd_ge(0.5);
-        let foot = isosceles.select(Numbers::splat(simd, 0.5), leans.select(side, one - side));
-        let height = isosceles.select(side - 0.25, side * (one - side)).sqrt();
+        let isosceles = half.at_most(side);
+        let foot = N::choose(isosceles, half, N::choose(leans, side, one - side));
+        let height = N::choose(isosceles, side - N::splat(token, 0.25), side * (one - side)).root();
         Points { x: a.x + edge.x * foot - edge.y * height, y: a.y + edge.y * foot + edge.x * height }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use fearless_simd::{Level, dispatch};
+    use glam::DVec2;
 
     use super::*;
 
     const A: DVec2 = DVec2::new(1.0, -1.0);
     const B: DVec2 = DVec2::new(2.0, 1.0);
 
-    #[inline(always)]
-    fn flat<S: Simd>(simd: S, a: DVec2, b: DVec2) -> (Flat, Numbers<S>) {
-        let points = |p: DVec2| Points { x: Numbers::splat(simd, p.x), y: Numbers::splat(simd, p.y) };
+    fn flat(a: DVec2, b: DVec2) -> (Flat<f64>, f64) {
         let mut flat = Flat::default();
-        let edge_ratio = flat.take(simd, points(a), points(b));
+        let edge_ratio = flat.take((), a.into(), b.into());
         (flat, edge_ratio)
     }
 
     fn edge_ratio(a: DVec2, b: DVec2) -> f64 {
-        dispatch!(Level::new(), simd => flat(simd, a, b).1[3])
+        flat(a, b).1
     }
 
     fn center(a: DVec2, b: DVec2, ideal: f64) -> DVec2 {
-        dispatch!(Level::new(), simd => {
-            let center = flat(simd, a, b).0.center(simd, Numbers::splat(simd, ideal));
-            DVec2::new(center.x[5], center.y[5])
-        })
+        let Points { x, y } = flat(a, b).0.center((), ideal);
+        DVec2::new(x, y)
     }
 
     /// Edge ratio of the potential form.

@@ -5,12 +5,11 @@
 
 use std::ops::Range;
 
-use fearless_simd::{Level, Simd, dispatch};
-
 use super::outcome::Outcomes;
 use super::places::Places;
 use super::schedule::{BLOCK, Schedule};
-use super::visit::{Surroundings, TOGETHER, Tally, Visitor};
+use super::task::Task;
+use super::visit::{Surroundings, TOGETHER, Tally};
 use crate::error::Error;
 use crate::progress::{self, Progress};
 use crate::threads::Threads;
@@ -30,7 +29,7 @@ pub(super) fn run(
     threads: &Threads<'_>,
     tell: &mut Progress<'_>,
 ) -> Result<Tally, Error> {
-    let schedule = Schedule::new(around)?;
+    let schedule = Schedule::new(around, threads)?;
     // Where nothing can move there is still a share to tell.
     let total = (iterations as usize * schedule.vertices.len()).max(1);
     let mut sweeps =
@@ -57,18 +56,10 @@ struct Sweeps<'a> {
 impl Sweeps<'_> {
     /// Visits the insides of all blocks, several blocks side by side.
     fn blocks(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
-        let blocks: Vec<Range<usize>> = ranges(0, &self.schedule.blocks).collect();
-        let tasks: Vec<&[Range<usize>]> = blocks.chunks(TOGETHER).collect();
-        self.at_once(
-            tell,
-            &tasks,
-            |task| task.iter().map(ExactSizeIterator::len).sum(),
-            |sweeps, task| {
-                let mut visitor = Visitor::new(sweeps.around);
-                dispatch!(Level::new(), simd => sweeps.side_by_side(simd, &mut visitor, task));
-                visitor.tally
-            },
-        )
+        let Schedule { vertices, blocks, .. } = self.schedule;
+        let blocks: Vec<Range<usize>> = ranges(0, blocks).collect();
+        let tasks: Vec<_> = blocks.chunks(TOGETHER).map(|parts| Task::SideBySide { vertices, parts }).collect();
+        self.at_once(tell, &tasks)
     }
 
     /// Visits what lies between the blocks, colour by colour, and at last what has no colour, one by one.
@@ -76,55 +67,21 @@ impl Sweeps<'_> {
         let Schedule { vertices, blocks, colors } = self.schedule;
         let inner = blocks.last().copied().unwrap_or(0);
         for color in ranges(inner, colors) {
-            let tasks: Vec<&[u32]> = vertices[color].chunks(TASK).collect();
-            self.at_once(tell, &tasks, |task| task.len(), |sweeps, task| sweeps.visit(task, TOGETHER))?;
+            let tasks: Vec<_> = vertices[color].chunks(TASK).map(Task::Apart).collect();
+            self.at_once(tell, &tasks)?;
         }
-        let rest = &vertices[colors.last().copied().unwrap_or(inner)..];
-        self.tally += self.visit(rest, 1);
-        self.visited += rest.len();
-        Ok(())
+        self.at_once(tell, &[Task::InOrder(&vertices[colors.last().copied().unwrap_or(inner)..])])
     }
 
     /// Carries out tasks that don't wait for each other.
-    fn at_once<T: Copy + Sync>(
-        &mut self,
-        tell: &mut Progress<'_>,
-        tasks: &[T],
-        size: impl Fn(T) -> usize,
-        work: impl Fn(&Self, T) -> Tally + Sync,
-    ) -> Result<(), Error> {
+    fn at_once(&mut self, tell: &mut Progress<'_>, tasks: &[Task<'_>]) -> Result<(), Error> {
+        let Self { around, places, outcomes, .. } = *self;
         for batch in tasks.chunks(if self.threads.is_one() { 1 } else { BATCH }) {
             progress::tell(tell, self.visited as f64 / self.total as f64)?;
-            let tally = self.threads.sum(0..batch.len(), |i| work(self, batch[i]));
-            self.tally += tally;
-            self.visited += batch.iter().map(|&task| size(task)).sum::<usize>();
+            self.tally += self.threads.sum(0..batch.len(), |i| batch[i].carry_out(around, places, outcomes));
+            self.visited += batch.iter().map(Task::size).sum::<usize>();
         }
         Ok(())
-    }
-
-    /// Visits vertices, of which as many as `together` says in a row are no neighbours.
-    fn visit(&self, vertices: &[u32], together: usize) -> Tally {
-        let mut visitor = Visitor::new(self.around);
-        dispatch!(Level::new(), simd => {
-            for vertices in vertices.chunks(together) {
-                visitor.visit(simd, vertices, self.places, self.outcomes);
-            }
-        });
-        visitor.tally
-    }
-
-    /// Visits the first vertices of all blocks, then the second ones, and so on.
-    #[inline(always)]
-    fn side_by_side<S: Simd>(&self, simd: S, visitor: &mut Visitor<'_>, blocks: &[Range<usize>]) {
-        for step in 0..BLOCK {
-            let mut together = [0; TOGETHER];
-            let mut count = 0;
-            for block in blocks.iter().filter(|block| step < block.len()) {
-                together[count] = self.schedule.vertices[block.start + step];
-                count += 1;
-            }
-            visitor.visit(simd, &together[..count], self.places, self.outcomes);
-        }
     }
 }
 

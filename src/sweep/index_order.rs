@@ -1,10 +1,9 @@
 //! The paper's GEA: stars by vertex index, in place, so that each sees its neighbours' new positions.
 
-use fearless_simd::{Level, dispatch};
-
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{Surroundings, Tally, Visitor};
+use super::task::Task;
+use super::visit::{Surroundings, Tally};
 use crate::error::Error;
 use crate::progress::{self, Progress};
 
@@ -16,20 +15,15 @@ pub(super) fn run(
     iterations: u32,
     tell: &mut Progress<'_>,
 ) -> Result<Tally, Error> {
-    let mut visitor = Visitor::new(surroundings);
-    let (level, movable) = (Level::new(), surroundings.movable()?);
+    let movable = surroundings.movable()?;
     let total = f64::from(iterations) * movable.len() as f64;
-    let mut visited = 0_usize;
+    let (mut tally, mut visited) = (Tally::default(), 0_usize);
     for _ in 0..iterations {
         for vertices in movable.chunks(progress::INTERVAL) {
             progress::tell(tell, visited as f64 / total)?;
             visited += vertices.len();
-            dispatch!(level, simd => {
-                for v in vertices {
-                    visitor.visit(simd, std::slice::from_ref(v), places, outcomes);
-                }
-            });
+            tally += Task::InOrder(vertices).carry_out(surroundings, places, outcomes);
         }
     }
-    Ok(visitor.tally)
+    Ok(tally)
 }

@@ -6,6 +6,7 @@ mod outcome;
 mod places;
 mod schedule;
 mod slide;
+mod task;
 mod visit;
 
 use glam::DVec3;
@@ -33,5 +34,5 @@ pub(crate) fn run(
         Order::Colors => color_order::run(around, &places, outcomes, iterations, threads, progress)?,
         Order::Index => index_order::run(around, &places, outcomes, iterations, progress)?,
     };
-    Ok((places.into_positions()?, tally))
+    Ok((places.into_positions(), tally))
 }

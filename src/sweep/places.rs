@@ -35,10 +35,8 @@ impl Places {
         }
     }
 
-    /// All positions.
-    pub fn into_positions(self) -> Result<Vec<DVec3>, Error> {
-        let mut positions = memory::reserved(self.0.len())?;
-        positions.extend(self.0.into_iter().map(|p| DVec3::from_array(p.map(|x| f64::from_bits(x.into_inner())))));
-        Ok(positions)
+    /// All positions, in the same memory.
+    pub fn into_positions(self) -> Vec<DVec3> {
+        self.0.into_iter().map(|p| DVec3::from_array(p.map(|x| f64::from_bits(x.into_inner())))).collect()
     }
 }

@@ -3,8 +3,9 @@
 use super::visit::Surroundings;
 use crate::error::Error;
 use crate::memory;
+use crate::threads::{PART, Threads};
 
-/// Vertices of consecutive numbers that make a block.
+/// Vertices of consecutive numbers that make a block: a power of two.
 pub(super) const BLOCK: usize = 512;
 
 /// Colours at most. Vertices for which none is left are visited one by one.
@@ -21,69 +22,77 @@ pub(super) struct Schedule {
     pub colors: Vec<usize>,
 }
 
+/// What a vertex is, in a byte: one of these, or its colour.
+const STAYS: u8 = u8::MAX;
+const INNER: u8 = u8::MAX - 1;
+const BORDER: u8 = u8::MAX - 2;
+
 impl Schedule {
-    pub fn new(around: &Surroundings<'_>) -> Result<Self, Error> {
-        let mut vertices = around.movable()?;
-        let mut blocks = memory::reserved(around.stars.len().div_ceil(BLOCK))?;
-        let border = part(around, &mut vertices, &mut blocks)?;
+    pub fn new(around: &Surroundings<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
+        let mut marks = memory::filled(STAYS, around.stars.len())?;
+        threads.each(marks.chunks_mut(PART).enumerate().collect(), |(part, marks)| {
+            for (v, mark) in ((part * PART) as u32..).zip(marks) {
+                *mark = around.mark(v);
+            }
+        });
+        let mut vertices = memory::reserved(marks.iter().filter(|&&mark| mark != STAYS).count())?;
+        let mut blocks = memory::reserved(marks.len().div_ceil(BLOCK))?;
+        for (block, marks) in marks.chunks(BLOCK).enumerate() {
+            let inner = ((block * BLOCK) as u32..).zip(marks).filter(|&(_, &mark)| mark == INNER);
+            vertices.extend(inner.map(|(v, _)| v));
+            blocks.push(vertices.len());
+        }
+        greedy(around, &mut marks);
         let mut schedule = Self { vertices, blocks, colors: Vec::new() };
-        let colors = greedy(around, &border)?;
-        schedule.add_border(&colors, &border);
+        schedule.add_border(&marks);
         Ok(schedule)
     }
 
     /// Adds the border, colour by colour, by counting.
-    fn add_border(&mut self, colors: &[u8], border: &[u32]) {
+    fn add_border(&mut self, marks: &[u8]) {
+        let colors = || marks.iter().map(|&mark| usize::from(mark)).enumerate().filter(|&(_, color)| color <= COLORS);
         let mut counts = [0; COLORS + 1];
-        colors.iter().for_each(|&color| counts[usize::from(color)] += 1);
-        let mut next = [self.vertices.len(); COLORS + 1];
-        for color in 0..COLORS {
+        colors().for_each(|(_, color)| counts[color] += 1);
+        let mut next = [self.vertices.len(); COLORS + 2];
+        for color in 0..=COLORS {
             next[color + 1] = next[color] + counts[color];
         }
-        self.colors.extend(next[1..].iter().zip(counts).filter(|&(_, count)| count > 0).map(|(&end, _)| end));
-        self.vertices.resize(self.vertices.len() + border.len(), 0);
-        for (&v, &color) in border.iter().zip(colors) {
-            let place = &mut next[usize::from(color)];
-            self.vertices[*place] = v;
-            *place += 1;
+        self.colors.extend(next[1..=COLORS].iter().zip(counts).filter(|&(_, count)| count > 0).map(|(&end, _)| end));
+        self.vertices.resize(next[COLORS + 1], 0);
+        for (v, color) in colors() {
+            self.vertices[next[color]] = v as u32;
+            next[color] += 1;
         }
     }
 }
 
-/// Takes the vertices with neighbours in other blocks out of `vertices`, and tells where each block ends in what is left.
-fn part(around: &Surroundings<'_>, vertices: &mut Vec<u32>, blocks: &mut Vec<usize>) -> Result<Vec<u32>, Error> {
-    let block = |v: u32| v as usize / BLOCK;
-    let moves = |v: u32| around.features.role(v).moves();
-    let is_inner = |v: u32| around.stars.ring(v).iter().all(|&r| block(r) == block(v) || !moves(r));
-    let mut border = memory::reserved(vertices.iter().filter(|&&v| !is_inner(v)).count())?;
-    let mut inner = 0;
-    for i in 0..vertices.len() {
-        let v = vertices[i];
-        blocks.resize(block(v), inner);
-        if is_inner(v) {
-            vertices[inner] = v;
-            inner += 1;
+impl Surroundings<'_> {
+    /// Whether a vertex may move, and if so whether it is inside its block.
+    fn mark(&self, v: u32) -> u8 {
+        if !self.features.role(v).moves() {
+            return STAYS;
+        }
+        let rim = self.stars.rim(v);
+        let is_foreign = |r: u32| (r ^ v) as usize >= BLOCK;
+        let strays = rim.iter().fold(0, |strays, &r| strays | (r ^ v));
+        if (strays as usize) < BLOCK || !rim.iter().any(|&r| is_foreign(r) && self.features.role(r).moves()) {
+            INNER
         } else {
-            border.push(v);
+            BORDER
         }
     }
-    vertices.truncate(inner);
-    blocks.push(inner);
-    Ok(border)
 }
 
 /// Gives each vertex of the border, by index, the first colour that none of its neighbours there has.
-fn greedy(around: &Surroundings<'_>, border: &[u32]) -> Result<Vec<u8>, Error> {
-    const NONE: u8 = u8::MAX;
-    let mut colors = memory::filled(NONE, around.stars.len())?;
-    for &v in border {
-        let taken = around.stars.ring(v).iter().fold(0_u64, |taken, &r| match colors[r as usize] {
-            NONE => taken,
-            color => taken | 1 << color,
+fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) {
+    for v in 0..marks.len() {
+        if marks[v] != BORDER {
+            continue;
+        }
+        let taken = around.stars.rim(v as u32).iter().fold(0_u64, |taken, &r| {
+            let mark = marks[r as usize];
+            taken | u64::from(usize::from(mark) < COLORS) << (mark & 63)
         });
-        colors[v as usize] = (taken.trailing_ones() as u8).min(COLORS as u8);
+        marks[v] = (taken.trailing_ones() as u8).min(COLORS as u8);
     }
-    let mut of_border = memory::reserved(border.len())?;
-    of_border.extend(border.iter().map(|&v| colors[v as usize]));
-    Ok(of_border)
 }

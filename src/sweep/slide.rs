@@ -33,7 +33,7 @@ pub(crate) fn direction(star: &LocalStar) -> Option<DVec3> {
 /// The next and the previous vertex of the feature line.
 fn neighbours(star: &LocalStar) -> [DVec3; 2] {
     // Without a crease the only sector ends with the rim.
-    [star.point(0), star.point(star.split)]
+    [star.point(0), star.point(star.split())]
 }
 
 /// Tangent at the origin of the parabola through `previous`, the origin, and `next`.

@@ -2,7 +2,7 @@
 
 use std::iter::Sum;
 
-use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch, f64x8};
 use glam::DVec3;
 
 use super::outcome::{Outcome, Outcomes};
@@ -14,7 +14,7 @@ use crate::features::{Features, Role};
 use crate::guard::{Guard, Leash, Scene};
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
-use crate::star::{Draft, LocalStar, Operation};
+use crate::star::{Draft, LocalStar, LocalStars, Number, Operation, Site, Vectors, set_vector, vector};
 
 /// How often a step is halved before the vertex stays.
 const HALVINGS: u32 = 3;
@@ -91,136 +91,261 @@ impl Surroundings<'_> {
     }
 }
 
-/// Stars that are visited together: enough to hide how long each one waits, few enough for the nearest cache.
+/// Stars that are visited together at most: no two of them are neighbours.
 pub(super) const TOGETHER: usize = 16;
 
-/// Visits stars, with working memory that is reused from one to the next.
-pub(crate) struct Visitor<'a> {
+/// Stars side by side.
+const LANES: usize = 8;
+
+/// Largest star that is visited beside others.
+const COMPANIONABLE: usize = 16;
+
+/// Stars with at most so many triangles keep company with each other.
+const ORDINARY: usize = 6;
+
+/// Fewest stars that are visited faster side by side than one after the other.
+const COMPANY: usize = 3;
+
+/// Visits stars, eight side by side where they let it, with working memory that is reused from one to the next.
+pub(crate) struct Visitor<'a, S: Simd> {
     around: &'a Surroundings<'a>,
-    visits: Vec<Visit>,
+    token: S,
+    together: Visit<f64x8<S>>,
+    alone: Visit<f64>,
     pub tally: Tally,
 }
 
-/// A visit under way.
-struct Visit {
-    vertex: u32,
-    star: LocalStar,
-    draft: Draft,
-    guard: Guard,
-    has_plane: bool,
-    /// What the star wants; `None` if it has no plane, or no direction to go.
-    step: Option<DVec3>,
-}
-
-impl<'a> Visitor<'a> {
-    pub fn new(around: &'a Surroundings<'a>) -> Self {
-        let visits = (0..TOGETHER).map(|_| Visit::new(around.floor)).collect();
-        Self { around, visits, tally: Tally::default() }
+impl<'a, S: Simd> Visitor<'a, S> {
+    pub fn new(token: S, around: &'a Surroundings<'a>) -> Self {
+        let (together, alone) = (Visit::new(around.floor), Visit::new(around.floor));
+        Self { around, token, together, alone, tally: Tally::default() }
     }
 
-    /// Visits `vertices`, no two of which are neighbours and all of which have a role that lets them move, and notes the
-    /// outcomes.
+    /// Visits `vertices`, at most [`TOGETHER`], no two of which are neighbours and all of which have a role that lets them
+    /// move, and notes the outcomes. The result is that of visiting them one by one in any order.
     #[inline(always)]
-    pub fn visit<S: Simd>(&mut self, simd: S, vertices: &[u32], places: &Places, outcomes: &Outcomes) {
-        let Self { around, visits, tally } = self;
-        for together in vertices.chunks(TOGETHER) {
-            let visits = &mut visits[..together.len()];
-            for (visit, &v) in visits.iter_mut().zip(together) {
-                visit.take(simd, around, places, v);
-            }
-            for visit in visits.iter_mut() {
-                visit.has_plane = around.operation.find_planes(simd, &visit.star, &mut visit.draft);
-            }
-            for visit in visits.iter_mut().filter(|visit| visit.has_plane) {
-                around.operation.sample(simd, &visit.star, &mut visit.draft);
-            }
-            for visit in visits.iter_mut().filter(|visit| visit.has_plane) {
-                around.operation.model(simd, &visit.star, &mut visit.draft);
-            }
-            for visit in visits.iter_mut() {
-                visit.step = if visit.has_plane { visit.wish(simd, around) } else { None };
-            }
-            for visit in visits.iter_mut() {
-                visit.inspect(simd, around);
-            }
-            for visit in visits {
-                outcomes.set(visit.vertex, visit.end(simd, around, tally, places));
-            }
-        }
-    }
-}
-
-impl Visit {
-    fn new(floor: f64) -> Self {
-        let (star, draft) = (LocalStar::default(), Draft::default());
-        Self { vertex: 0, star, draft, guard: Guard::new(floor), has_plane: false, step: None }
-    }
-
-    /// Takes up the star of `v`.
-    #[inline(always)]
-    fn take<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>, places: &Places, v: u32) {
-        let Surroundings { stars, features, .. } = *around;
-        let at = |r: u32| places.get(r);
-        self.vertex = v;
-        match features.role(v) {
-            Role::Crease => self.star.take_crease(simd, stars, at, v, features.crease_ends(stars, v)),
-            _ => self.star.take(simd, stars, at, v),
-        }
-    }
-
-    /// The step that the star wants.
-    #[inline(always)]
-    fn wish<S: Simd>(&self, simd: S, around: &Surroundings<'_>) -> Option<DVec3> {
-        let step = around.operation.mean_center(simd, &self.star, &self.draft) * around.relaxation;
-        match around.features.role(self.vertex) {
-            Role::Free | Role::Doubtful => volume_neutral(step, self.draft.areas[0]),
-            _ => slide::along(&self.star, step),
-        }
-    }
-
-    /// Looks at the star as it was in the original mesh.
-    #[inline(always)]
-    fn inspect<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>) {
-        let Self { vertex, star, draft, guard, .. } = self;
-        let Surroundings { mesh, stars, .. } = *around;
-        let scene = &Scene { mesh, stars, star, vertex: *vertex, areas: draft.areas };
-        guard.inspect(simd, scene, around.leash(*vertex));
-    }
-
-    /// Carries out as much of the step as guard and deviation bound admit: all, half of it, a quarter, an eighth.
-    #[inline(always)]
-    fn end<S: Simd>(&mut self, simd: S, around: &Surroundings<'_>, tally: &mut Tally, places: &Places) -> Outcome {
-        let Some(mut step) = self.step else {
-            return Outcome::Degenerate;
-        };
-        let Self { vertex, ref star, ref draft, ref mut guard, .. } = *self;
-        let Surroundings { mesh, stars, max_deviation, .. } = *around;
-        let scene = &Scene { mesh, stars, star, vertex, areas: draft.areas };
-        let mut refusal = Outcome::Guard;
-        for halving in 0..=HALVINGS {
-            let new = mesh.storable(star.centre + step);
-            if new == star.centre {
-                return Outcome::Settled;
-            }
-            if !guard.admits(simd, scene, new - star.centre) {
-                refusal = Outcome::Guard;
-            } else if max_deviation.is_some_and(|bound| Surface::new(mesh, stars).distance(vertex, new) > bound) {
-                refusal = Outcome::Deviation;
+    pub fn visit(&mut self, vertices: &[u32], places: &Places, outcomes: &Outcomes) {
+        let mut companions = [0; TOGETHER];
+        let count = self.companions(vertices, &mut companions, places, outcomes);
+        for company in companions[..count].chunks(LANES) {
+            if company.len() < COMPANY {
+                company.iter().for_each(|&v| self.visit_alone(v, places, outcomes));
             } else {
-                places.set(vertex, new);
-                tally.halved += usize::from(halving > 0);
-                return Outcome::Moved;
+                let mut vertices = [company[0]; LANES];
+                vertices[..company.len()].copy_from_slice(company);
+                self.together.stars.take(self.token, self.around.stars, self.around.site(places), &vertices);
+                let visit = (&vertices, company.len());
+                self.tally += self.together.visit(self.token, self.around, visit, places, outcomes);
             }
-            step *= 0.5;
         }
-        tally.refused += 1;
-        refusal
+    }
+
+    /// Sorts out those of `vertices` that are visited side by side, those with few triangles first, since a lane waits for
+    /// the largest star of its company. Visits the others. Returns how many there are.
+    #[inline(always)]
+    fn companions(
+        &mut self,
+        vertices: &[u32],
+        companions: &mut [u32; TOGETHER],
+        places: &Places,
+        outcomes: &Outcomes,
+    ) -> usize {
+        let (mut large, mut larges, mut count) = ([0; TOGETHER], 0, 0);
+        for &v in vertices {
+            let valence = self.around.stars.rim(v).len() - 1;
+            if valence > COMPANIONABLE || !self.around.features.role(v).moves_in_plane() {
+                self.visit_alone(v, places, outcomes);
+                continue;
+            }
+            // Written to both and counted for one: which one it is cannot be foreseen.
+            (companions[count], large[larges]) = (v, v);
+            count += usize::from(valence <= ORDINARY);
+            larges += usize::from(valence > ORDINARY);
+        }
+        companions[count..][..larges].copy_from_slice(&large[..larges]);
+        count + larges
+    }
+
+    /// Visits one vertex. The machine code stands here once, for whoever calls it.
+    #[inline(never)]
+    fn visit_alone(&mut self, v: u32, places: &Places, outcomes: &Outcomes) {
+        let Self { around, alone, tally, .. } = self;
+        let Surroundings { stars, features, .. } = around;
+        dispatch!(self.token.level(), _simd => {
+            let site = around.site(places);
+            match features.role(v) {
+                Role::Crease => alone.stars.take_crease(stars, site, v, features.crease_ends(stars, v)),
+                _ => alone.stars.take((), stars, site, &[v]),
+            }
+            *tally += alone.visit((), around, (&[v], 1), places, outcomes);
+        });
     }
 }
 
-/// The part of `step` orthogonal to the ring's vector area, which leaves the volume as it is.
+/// Working memory of a visit of one star or of several side by side.
+struct Visit<N: Number> {
+    stars: LocalStars<N>,
+    draft: Draft<N>,
+    guard: Guard<N>,
+}
+
+impl<N: Number> Visit<N> {
+    fn new(floor: f64) -> Self {
+        Self { stars: LocalStars::default(), draft: Draft::default(), guard: Guard::new(floor) }
+    }
+
+    /// Visits the first `count` of the stars that were taken up.
+    #[inline(always)]
+    fn visit(
+        &mut self,
+        token: N::Token,
+        around: &Surroundings<'_>,
+        (vertices, count): (&N::Vertices, usize),
+        places: &Places,
+        outcomes: &Outcomes,
+    ) -> Tally {
+        let Self { stars, draft, guard } = self;
+        let Surroundings { mesh, stars: rings, .. } = *around;
+        let scene = &Scene { mesh, rings, stars, vertices: *vertices, areas: stars.areas(token) };
+        let (step, exist) = around.wish(token, scene, draft);
+        guard.look(token, scene, |v| around.leash(v));
+        let mut end = End { around, scene, places, outcomes, tally: Tally::default() };
+        let all = (1 << count) - 1;
+        end.note(all & !exist, Outcome::Degenerate);
+        end.carry_out(token, guard, step, all & exist);
+        end.tally
+    }
+}
+
+impl Surroundings<'_> {
+    /// Where a vertex is.
+    #[inline(always)]
+    fn site(&self, places: &Places) -> impl Fn(u32) -> Site {
+        |vertex| Site { vertex, place: places.get(vertex), origin: self.mesh.positions[vertex as usize] }
+    }
+
+    /// The steps that the stars want, and which of them want any.
+    #[inline(always)]
+    fn wish<N: Number>(&self, token: N::Token, scene: &Scene<'_, N>, draft: &mut Draft<N>) -> (Vectors<N>, u64) {
+        let (target, exist) = self.operation.targets(token, scene.stars, &scene.areas, draft);
+        let step = target.times(N::splat(token, self.relaxation));
+        if !self.features.role(scene.vertices.as_ref()[0]).moves_in_plane() {
+            let (step, slide) = slides(token, scene.stars, step);
+            return (step, N::bits(exist) & slide);
+        }
+        let (step, neutral) = volume_neutral_steps(token, step, scene.areas[0]);
+        (step, N::bits(exist & neutral))
+    }
+}
+
+/// Steps along features, star by star, and which stars have them.
 #[inline(always)]
+fn slides<N: Number>(token: N::Token, stars: &LocalStars<N>, step: Vectors<N>) -> (Vectors<N>, u64) {
+    let (mut steps, mut exist) = (step.rows(), 0);
+    let mut alone = LocalStar::default();
+    for star in 0..N::STARS {
+        stars.copy_into(star, &mut alone);
+        if let Some(along) = slide::along(&alone, vector(&steps, star)) {
+            set_vector(&mut steps, star, along);
+            exist |= 1 << star;
+        }
+    }
+    (Vectors::load(token, &steps), exist)
+}
+
+/// The end of a visit: as much of the steps as may be. Sets of stars are bits of a number.
+struct End<'a, N: Number> {
+    around: &'a Surroundings<'a>,
+    scene: &'a Scene<'a, N>,
+    places: &'a Places,
+    outcomes: &'a Outcomes,
+    tally: Tally,
+}
+
+impl<N: Number> End<'_, N> {
+    /// Carries out as much of each step of the stars `open` as guard and deviation bound admit: all, half of it, a quarter,
+    /// an eighth.
+    #[inline(always)]
+    fn carry_out(&mut self, token: N::Token, guard: &mut Guard<N>, mut step: Vectors<N>, mut open: u64) {
+        let centres = self.scene.stars.centres(token);
+        let mut too_far = 0;
+        for halving in 0..=HALVINGS {
+            let places = self.storable(centres.plus(step));
+            let exact = Vectors::<N>::load(token, &places).minus(centres);
+            let settled = open & N::bits(exact.is_zero(token));
+            self.note(settled, Outcome::Settled);
+            open &= !settled;
+            let admitted = if open == 0 { 0 } else { open & guard.admits(token, self.scene, exact, open) };
+            too_far = self.too_far(admitted, &places);
+            let moved = admitted & !too_far;
+            self.go(moved, &places);
+            self.tally.halved += if halving > 0 { moved.count_ones() as usize } else { 0 };
+            open &= !moved;
+            if open == 0 {
+                return;
+            }
+            step = step.times(N::splat(token, 0.5));
+        }
+        self.tally.refused += open.count_ones() as usize;
+        self.note(open & too_far, Outcome::Deviation);
+        self.note(open & !too_far, Outcome::Guard);
+    }
+
+    /// The nearest positions that the caller's buffers can hold.
+    #[inline(always)]
+    fn storable(&self, places: Vectors<N>) -> [N::Row; 3] {
+        let mut rows = places.rows();
+        if !self.around.mesh.holds_everything() {
+            for star in 0..N::STARS {
+                let place = self.around.mesh.storable(vector(&rows, star));
+                set_vector(&mut rows, star, place);
+            }
+        }
+        rows
+    }
+
+    /// Which of the stars `admitted` would leave the original surface too far behind.
+    #[inline(always)]
+    fn too_far(&self, admitted: u64, places: &[N::Row; 3]) -> u64 {
+        let Some(bound) = self.around.max_deviation else {
+            return 0;
+        };
+        let surface = Surface::new(self.scene.mesh, self.scene.rings);
+        let distance = |star: usize| surface.distance(self.scene.vertices.as_ref()[star], vector(places, star));
+        members::<N>(admitted).filter(|&star| distance(star) > bound).fold(0, |found, star| found | 1 << star)
+    }
+
+    #[inline(always)]
+    fn go(&self, moved: u64, places: &[N::Row; 3]) {
+        for star in members::<N>(moved) {
+            self.places.set(self.scene.vertices.as_ref()[star], vector(places, star));
+        }
+        self.note(moved, Outcome::Moved);
+    }
+
+    #[inline(always)]
+    fn note(&self, stars: u64, outcome: Outcome) {
+        for star in members::<N>(stars) {
+            self.outcomes.set(self.scene.vertices.as_ref()[star], outcome);
+        }
+    }
+}
+
+/// The stars of a set.
+#[inline(always)]
+fn members<N: Number>(set: u64) -> impl Iterator<Item = usize> {
+    (0..N::STARS).filter(move |star| set >> star & 1 == 1)
+}
+
+/// The part of `step` orthogonal to the rings' vector areas, which leaves the volume as it is, and which stars have one.
+#[inline(always)]
+fn volume_neutral_steps<N: Number>(token: N::Token, step: Vectors<N>, area: Vectors<N>) -> (Vectors<N>, N::Truth) {
+    let square = area.square();
+    (step.minus(area.times(area.dot(step) / square)), N::splat(token, 0.0).below(square))
+}
+
+/// The same for one star.
 pub(crate) fn volume_neutral(step: DVec3, area: DVec3) -> Option<DVec3> {
-    let square = area.length_squared();
-    (square > 0.0).then(|| step - area * (area.dot(step) / square))
+    let (step, exists) = volume_neutral_steps((), Vectors::from(step), area.into());
+    exists.then(|| step.into())
 }

@@ -1,13 +1,12 @@
 //! Vertex moves that help the worst triangle of a star: volume-neutral, guarded, and no larger than needed.
 
-use fearless_simd::{Level, dispatch};
 use glam::{DVec2, DVec3};
 
 use super::limits::Limits;
 use super::patch::{Freedom, Patch, Shape};
 use crate::deviation::Surface;
 use crate::guard::{Guard, Scene};
-use crate::star::{Draft, LocalStar, TangentPlane};
+use crate::star::{Draft, LocalStar, Site, TangentPlane};
 use crate::sweep::{Surroundings, direction, volume_neutral};
 
 /// Excess at which a star is good enough: just below the thresholds, so that rounding cannot bring it back.
@@ -45,8 +44,8 @@ pub(super) struct Relaxer<'a> {
     around: &'a Surroundings<'a>,
     limits: &'a Limits,
     star: LocalStar,
-    draft: Draft,
-    guard: Guard,
+    draft: Draft<f64>,
+    guard: Guard<f64>,
     /// Whether the guard has seen the star as it was taken up.
     inspected: bool,
     /// The triangle that last spoiled a step: likely to spoil the next one, so it is looked at first.
@@ -104,8 +103,8 @@ impl<'a> Relaxer<'a> {
             self.try_step(&mut search, patch.vertices[v], target);
         }
         self.descend(&mut search, &ways, patch.vertices[v]);
-        shape.positions[v] = self.around.mesh.storable(self.star.centre + search.step);
-        shape.positions[v] != self.star.centre
+        shape.positions[v] = self.around.mesh.storable(self.star.centre() + search.step);
+        shape.positions[v] != self.star.centre()
     }
 
     /// Unit steps that leave the volume as it is: eight in the tangent plane, or two along the crease.
@@ -122,9 +121,8 @@ impl<'a> Relaxer<'a> {
         if freedom == Freedom::Slide {
             return None;
         }
-        let operation = self.around.operation;
-        let step = dispatch!(Level::new(), simd => operation.target(simd, &self.star, &mut self.draft))?;
-        volume_neutral(step, self.draft.areas[0])
+        let step = self.around.operation.target(&self.star, &mut self.draft)?;
+        volume_neutral(step, self.star.double_area())
     }
 
     /// Pattern search: the best of the ways, with a step that is halved where none helps.
@@ -153,8 +151,8 @@ impl<'a> Relaxer<'a> {
 
     /// Takes a step if it helps and may be taken.
     fn try_step(&mut self, search: &mut Search, vertex: u32, step: DVec3) -> bool {
-        let new = self.around.mesh.storable(self.star.centre + step);
-        let step = new - self.star.centre;
+        let new = self.around.mesh.storable(self.star.centre() + step);
+        let step = new - self.star.centre();
         let bar = search.worst * LEAST_GAIN;
         let worst = self.worst(step, bar);
         let helps = worst < bar && self.admits(vertex, step);
@@ -176,8 +174,8 @@ impl<'a> Relaxer<'a> {
         };
         let bar = self.worst(DVec3::ZERO, f64::INFINITY).max(GOAL);
         for _ in 0..=HALVINGS {
-            let new = self.around.mesh.storable(self.star.centre + step);
-            let exact = new - self.star.centre;
+            let new = self.around.mesh.storable(self.star.centre() + step);
+            let exact = new - self.star.centre();
             if self.worst(exact, f64::INFINITY) <= bar && self.admits(patch.vertices[v], exact) {
                 shape.positions[v] = new;
                 return exact != DVec3::ZERO;
@@ -201,23 +199,26 @@ impl<'a> Relaxer<'a> {
             ring.rotate_left(first);
             split = Some(second - first);
         }
-        let numbered = |&r: &usize| (patch.vertices[r], shape.positions[r]);
-        let numbered: Vec<_> = ring.iter().map(numbered).collect();
-        self.star.take_ring(shape.positions[v], &numbered, split);
+        let mesh = self.around.mesh;
+        let site = |&r: &usize| {
+            let vertex = patch.vertices[r];
+            Site { vertex, place: shape.positions[r], origin: mesh.positions[vertex as usize] }
+        };
+        let sites: Vec<_> = ring.iter().map(site).collect();
+        self.star.take_ring(site(&v), &sites, split);
         (self.inspected, self.culprit) = (false, 0);
         true
     }
 
     /// Whether guard and deviation bound let the centre of the star that was taken up, `vertex` in the mesh, go by `step`.
     pub fn admits(&mut self, vertex: u32, step: DVec3) -> bool {
-        let Surroundings { mesh, stars, max_deviation, .. } = *self.around;
-        let scene = &Scene { mesh, stars, star: &self.star, vertex, areas: self.star.double_areas() };
+        let Surroundings { mesh, stars: rings, max_deviation, .. } = *self.around;
+        let scene = &Scene { mesh, rings, stars: &self.star, vertices: [vertex], areas: self.star.areas(()) };
         if !std::mem::replace(&mut self.inspected, true) {
-            let leash = self.around.close_leash(vertex);
-            dispatch!(Level::new(), simd => self.guard.inspect(simd, scene, leash));
+            self.guard.look((), scene, |v| self.around.close_leash(v));
         }
-        let is_near = |bound| Surface::new(mesh, stars).distance(vertex, self.star.centre + step) <= bound;
-        dispatch!(Level::new(), simd => self.guard.admits(simd, scene, step)) && max_deviation.is_none_or(is_near)
+        let is_near = |bound| Surface::new(mesh, rings).distance(vertex, self.star.centre() + step) <= bound;
+        self.guard.admits((), scene, step.into(), 1) == 1 && max_deviation.is_none_or(is_near)
     }
 
     /// The nearest position that the caller's buffers can hold.

@@ -1,0 +1,67 @@
+//! Stars that one thread visits, and the only place where the instruction set is chosen.
+
+use std::ops::Range;
+
+use fearless_simd::{Level, dispatch};
+
+use super::outcome::Outcomes;
+use super::places::Places;
+use super::visit::{Surroundings, TOGETHER, Tally, Visitor};
+
+/// Stars that one thread visits.
+#[derive(Clone, Copy)]
+pub(super) enum Task<'a> {
+    /// Parts of a list, none of which has a neighbour in another one: first the first vertices of all parts, then the second
+    /// ones, and so on.
+    SideBySide { vertices: &'a [u32], parts: &'a [Range<usize>] },
+    /// Vertices no two of which are neighbours.
+    Apart(&'a [u32]),
+    /// Vertices one after the other.
+    InOrder(&'a [u32]),
+}
+
+impl Task<'_> {
+    /// How many visits it takes.
+    pub fn size(&self) -> usize {
+        match self {
+            Self::SideBySide { parts, .. } => parts.iter().map(ExactSizeIterator::len).sum(),
+            Self::Apart(vertices) | Self::InOrder(vertices) => vertices.len(),
+        }
+    }
+
+    /// Visits all.
+    pub fn carry_out(self, around: &Surroundings<'_>, places: &Places, outcomes: &Outcomes) -> Tally {
+        dispatch!(Level::new(), simd => {
+            let mut visitor = Visitor::new(simd, around);
+            let mut together = [0; TOGETHER];
+            for turn in 0.. {
+                let count = self.turn(turn, &mut together);
+                if count == 0 {
+                    break;
+                }
+                visitor.visit(&together[..count], places, outcomes);
+            }
+            visitor.tally
+        })
+    }
+
+    /// The vertices that are visited together in a turn; returns how many.
+    #[inline(always)]
+    fn turn(&self, turn: usize, together: &mut [u32; TOGETHER]) -> usize {
+        let next = match self {
+            Self::SideBySide { vertices, parts } => {
+                let mut count = 0;
+                for part in parts.iter().filter(|part| turn < part.len()) {
+                    together[count] = vertices[part.start + turn];
+                    count += 1;
+                }
+                return count;
+            }
+            Self::Apart(vertices) => &vertices[(turn * TOGETHER).min(vertices.len())..],
+            Self::InOrder(vertices) => &vertices[turn.min(vertices.len())..][..usize::from(turn < vertices.len())],
+        };
+        let count = next.len().min(TOGETHER);
+        together[..count].copy_from_slice(&next[..count]);
+        count
+    }
+}
