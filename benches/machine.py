@@ -4,6 +4,7 @@ import datetime
 import os
 import platform
 import subprocess
+import textwrap
 from pathlib import Path
 
 
@@ -22,8 +23,8 @@ def describe():
 
 
 def sentence(machine):
-    """The description as a line of a document."""
-    return "; ".join(f"{name}: {value}" for name, value in machine.items()) + "."
+    """The description as a paragraph of a document."""
+    return textwrap.fill("; ".join(f"{name}: {value}" for name, value in machine.items()) + ".", 118)
 
 
 def field(path, name):

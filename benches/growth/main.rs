@@ -1,8 +1,8 @@
 //! How time and memory grow with the mesh: `cargo bench --bench growth [-- TRIANGLES]`, 10,000,000 triangles at most
 //! unless another number says so. `benches/growth/run` draws the plot from it.
 //!
-//! Every row is a process of its own, so that its peak memory is its own: it makes a mesh, smooths it with two sweeps, and
-//! reports. Rows go to stdout as tab-separated values.
+//! Every row is a process of its own, so that its peak memory is its own: it makes a mesh, smooths it with two sweeps,
+//! and reports. Rows go to stdout as tab-separated values.
 
 mod child;
 mod memory;

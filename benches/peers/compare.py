@@ -1,6 +1,6 @@
 """Times qsmesh and its peers on the same meshes, taking turns, and judges what they made; `run` calls it.
 
-The peers of one processor are tied to one, whatever threads they start, and their time is processor time, which is the wall
+All but one are tied to one processor, whatever threads they start, and their time is processor time, which is the wall
 clock's on an idle machine; only qsmesh on all threads goes by the wall clock. Of all turns the fastest counts.
 """
 
@@ -45,7 +45,7 @@ class Times:
         self.smoothing[name, iterations].append(smoothing)
 
     def figures(self, name, vertices):
-        """Nanoseconds per vertex and iteration: of the whole call, with adjacency; of the call alone; of one more iteration."""
+        """Nanoseconds per vertex and iteration: with adjacency; of the call alone; of one more iteration."""
         few, many = (min(self.smoothing[name, iterations]) for iterations in (FEW, MANY))
         return {
             "whole": (few + min(self.adjacency[name])) * 1e9 / (FEW * vertices),
@@ -83,7 +83,7 @@ def main():
 
 def parse():
     parser = argparse.ArgumentParser(prog="benches/peers/run", description="Compares qsmesh with its peers.")
-    parser.add_argument("mesh", nargs="*", type=Path, help="PLY, OBJ or OFF files of triangles; default: the reference meshes")
+    parser.add_argument("mesh", nargs="*", type=Path, help="PLY, OBJ or OFF files of triangles")
     parser.add_argument("--rounds", type=int, default=3, help="how often every program is started; default 3")
     parser.add_argument("--repetitions", type=int, default=3, help="turns in each round; default 3")
     parser.add_argument("--keep-document", action="store_true", help="only print; leave docs/performance.md alone")

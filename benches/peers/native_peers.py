@@ -19,7 +19,8 @@ ALL_THREADS = ["qsmesh, all threads"]
 def write(path, positions, triangles):
     """Writes a mesh as the program reads it."""
     counts = numpy.array([len(positions), len(triangles)], numpy.uint64)
-    path.write_bytes(counts.tobytes() + positions.astype(numpy.float64).tobytes() + triangles.astype(numpy.uint32).tobytes())
+    parts = counts, positions.astype(numpy.float64), triangles.astype(numpy.uint32)
+    path.write_bytes(b"".join(part.tobytes() for part in parts))
 
 
 def turns(clock, mesh, folder, repetitions, names):

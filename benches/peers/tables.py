@@ -1,7 +1,10 @@
 """Figures as Markdown tables: one a mesh, one of ratios."""
 
 OURS = "qsmesh"
-COLUMNS = "| | ns, whole | ns, call alone | ns, marginal | edge_ratio mean | variance | smallest angle | volume | deviation |"
+COLUMNS = (
+    "| | ns, whole | ns, call alone | ns, marginal "
+    "| edge_ratio mean | variance | smallest angle | volume | deviation |"
+)
 RATIO_PEERS = [
     "OpenMesh tangential",
     "CGAL tangential_relaxation",
@@ -38,7 +41,8 @@ def ratio(peers, name):
 
 
 def mesh(name, result):
-    rows = [f"**{name}**, {result['vertices']:,} vertices, {result['triangles']:,} triangles", "", COLUMNS, "|---" * 9 + "|"]
+    title = f"**{name}**, {result['vertices']:,} vertices, {result['triangles']:,} triangles"
+    rows = [title, "", COLUMNS, "|---" * 9 + "|"]
     rows.append(row("before", result["before"]))
     fastest = sorted(result["peers"].items(), key=lambda item: item[1]["whole"])
     rows += [row(peer, figures) for peer, figures in fastest]

@@ -1,4 +1,5 @@
-"""trueform's Laplacian. It also has Taubin's smoothing and a remeshing; neither keeps at improving triangles in place."""
+"""trueform's Laplacian. It also has Taubin's smoothing and a remeshing; neither moves vertices
+along the surface only."""
 
 import numpy
 import trueform
@@ -8,7 +9,8 @@ class TrueformLaplacian:
     name = "trueform Laplacian"
 
     def __init__(self, positions, triangles):
-        self.mesh = trueform.Mesh(triangles.astype(numpy.int32), numpy.ascontiguousarray(positions, dtype=numpy.float64))
+        points = numpy.ascontiguousarray(positions, dtype=numpy.float64)
+        self.mesh = trueform.Mesh(triangles.astype(numpy.int32), points)
 
     def smooth(self, iterations):
         self.smoothed = trueform.laplacian_smoothed(self.mesh, iterations=iterations, lambda_=0.5)

@@ -1,6 +1,6 @@
-// Times the peers on one mesh: processor|wall MESH FOLDER REPETITIONS PEER... They take turns; each line that is printed is
-// one turn: name, iterations, seconds of adjacency and of smoothing, separated by tabs. The positions after two iterations
-// go to FOLDER. Without arguments it lists the peers.
+// Times the peers on one mesh: processor|wall MESH FOLDER REPETITIONS PEER... They take turns; each line that is printed
+// is one turn: name, iterations, seconds of adjacency and of smoothing, separated by tabs. The positions after two
+// iterations go to FOLDER. Without arguments it lists the peers.
 #include "peer.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// OpenMesh's Jacobi Laplace smoother, in tangential directions: what comes nearest to smoothing along the surface there.
+// OpenMesh's Jacobi Laplace smoother, in tangential directions: what comes nearest there to smoothing along the
+// surface.
 #include "peer.hpp"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -1,5 +1,5 @@
-// A Laplacian over flat arrays: each vertex goes into the middle of its neighbours. It shows what reading and writing the
-// memory costs, and what becomes of a surface that nobody looks after.
+// A Laplacian over flat arrays: each vertex goes into the middle of its neighbours. It shows what reading and writing
+// the memory costs, and what becomes of a surface that nobody looks after.
 #include "peer.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
-// qsmesh through its C interface, on the caller's buffers in place. Nothing is built beforehand: checking the buffers and
-// finding the stars belongs to the call.
+// qsmesh through its C interface, on the caller's buffers in place. Nothing is built beforehand: checking the buffers
+// and finding the stars belongs to the call.
 #include "peer.hpp"
 
 #include <qsmesh.h>
