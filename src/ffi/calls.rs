@@ -124,7 +124,7 @@ unsafe fn smooth_checked<T: Coordinate>(
         let (locked, feature_edges) = read_constraints(&given, locks, edges)?;
         (locked, feature_edges, mesh.triangles(), mesh.read_positions()?)
     };
-    let constraints = Constraints { locked: &locked, feature_edges };
+    let constraints = Constraints { locked: &locked, feature_edges, ..Constraints::default() };
     // SAFETY: the caller vouches for the callback.
     let mut progress = |done| unsafe { ask(&given, done) };
     let done = crate::smooth(&mut smoothed, triangles, &settings, &constraints, &mut progress)?;
@@ -169,7 +169,7 @@ unsafe fn shrink_checked<T: Coordinate>(
         let (positions, triangles) = (mesh.read_positions()?, memory::copied(mesh.triangles())?);
         (locked, feature_edges, mask, Work::new(positions, triangles))
     };
-    let constraints = Constraints { locked: &locked, feature_edges };
+    let constraints = Constraints { locked: &locked, feature_edges, ..Constraints::default() };
     // SAFETY: the caller vouches for the callback.
     let mut progress = |done| unsafe { ask(options, done) };
     let report = stage.run(&mut work, &settings, &options.tail(&mask)?, &constraints, &mut progress)?;

@@ -198,6 +198,7 @@ impl qsm_options {
             threads: self.threads,
             max_deviation: Some(self.max_deviation).filter(|&bound| bound != f64::INFINITY),
             measure,
+            ..Options::default()
         })
     }
 

@@ -32,6 +32,7 @@ pub(crate) fn run(
     let tally = match order {
         Order::Colors => color_order::run(around, &places, outcomes, iterations, threads, progress)?,
         Order::Index => index_order::run(around, &places, outcomes, iterations, progress)?,
+        Order::Wave | Order::Tail | Order::Given => index_order::run(around, &places, outcomes, iterations, progress)?,
     };
     Ok((places.into_positions()?, tally))
 }
