@@ -1,0 +1,36 @@
+//! Stars one after the other, in place, so that each sees what its neighbours visited before have become.
+
+use fearless_simd::{Level, dispatch};
+
+use super::outcome::Outcomes;
+use super::places::Places;
+use super::visit::{Surroundings, Tally, Visitor};
+use crate::error::Error;
+use crate::progress::{self, Progress};
+
+/// Visits `vertices`, all of which have a role that lets them move, `iterations` times from the first to the last. `tell`
+/// hears the share of the visits that is done.
+pub(super) fn run(
+    around: &Surroundings<'_>,
+    places: &Places,
+    outcomes: &Outcomes,
+    (vertices, iterations): (&[u32], u32),
+    tell: &mut Progress<'_>,
+) -> Result<Tally, Error> {
+    let mut visitor = Visitor::new(around);
+    let level = Level::new();
+    let total = f64::from(iterations) * vertices.len() as f64;
+    let mut visited = 0_usize;
+    for _ in 0..iterations {
+        for vertices in vertices.chunks(progress::INTERVAL) {
+            progress::tell(tell, visited as f64 / total)?;
+            visited += vertices.len();
+            dispatch!(level, simd => {
+                for v in vertices {
+                    visitor.visit(simd, std::slice::from_ref(v), places, outcomes);
+                }
+            });
+        }
+    }
+    Ok(visitor.tally)
+}

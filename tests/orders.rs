@@ -1,0 +1,275 @@
+//! Orders of the visits, in small situations. Where an order is to be seen, it is compared with the same one given by
+//! hand.
+
+mod meshes;
+
+use std::collections::BTreeSet;
+
+use meshes::{Mesh, scattered, sheet, torus};
+use qsmesh::progress::silent;
+use qsmesh::{Boundary, Constraints, Error, Flow, Options, Order, Report, smooth};
+
+const ALONE: [Order; 4] = [Order::Index, Order::Wave, Order::Tail, Order::Given];
+
+fn run(mesh: &Mesh, options: &Options, constraints: &Constraints<'_>) -> (Vec<[u64; 3]>, Report) {
+    let mut positions = mesh.0.clone();
+    let report = smooth(&mut positions, &mesh.1, options, constraints, &mut silent).expect("a result");
+    (positions.iter().map(|p| p.map(f64::to_bits)).collect(), report)
+}
+
+fn in_order(order: Order) -> Options {
+    Options { order, feature_angle: None, ..Options::default() }
+}
+
+/// Result of the visits `visits`, and the report.
+fn given(mesh: &Mesh, visits: &[u32]) -> (Vec<[u64; 3]>, Report) {
+    run(mesh, &in_order(Order::Given), &Constraints { visits, ..Constraints::default() })
+}
+
+/// Result of a front that starts at `seeds`.
+fn wave(mesh: &Mesh, seeds: &[bool]) -> Vec<[u64; 3]> {
+    run(mesh, &in_order(Order::Wave), &Constraints { seeds, ..Constraints::default() }).0
+}
+
+/// Vertices ring by ring from `start` on, each ring by index.
+fn rings(mesh: &Mesh, start: &[u32]) -> Vec<u32> {
+    let mut ring: BTreeSet<u32> = start.iter().copied().collect();
+    let mut order: Vec<u32> = Vec::new();
+    while !ring.is_empty() {
+        order.extend(&ring);
+        let touches = |t: &&[u32; 3]| t.iter().any(|v| ring.contains(v));
+        ring = mesh.1.iter().filter(touches).flatten().copied().filter(|v| !order.contains(v)).collect();
+    }
+    order
+}
+
+fn mask(mesh: &Mesh, vertices: &[u32]) -> Vec<bool> {
+    (0..mesh.0.len() as u32).map(|v| vertices.contains(&v)).collect()
+}
+
+fn shape(mesh: &Mesh, triangle: &[u32; 3]) -> f64 {
+    let normal = meshes::normal(&mesh.0, triangle);
+    let square = |a: u32, b: u32| (0..3).map(|k| (mesh.0[a as usize][k] - mesh.0[b as usize][k]).powi(2)).sum::<f64>();
+    let [a, b, c] = *triangle;
+    meshes::dot(normal, normal).sqrt() / (square(a, b) + square(b, c) + square(c, a))
+}
+
+fn worst_triangle(mesh: &Mesh) -> [u32; 3] {
+    *mesh.1.iter().min_by(|s, t| shape(mesh, s).total_cmp(&shape(mesh, t))).expect("a triangle")
+}
+
+/// Two meshes in one, beside each other.
+fn beside(one: Mesh, other: &Mesh) -> Mesh {
+    let (mut positions, mut triangles) = one;
+    let first = positions.len() as u32;
+    positions.extend(other.0.iter().map(|&[x, y, z]| [x + 10.0, y, z]));
+    triangles.extend(other.1.iter().map(|t| t.map(|v| v + first)));
+    (positions, triangles)
+}
+
+#[test]
+fn each_order_has_a_result_of_its_own() {
+    let mesh = torus(24, 16, 0.4, 5);
+    let backwards: Vec<u32> = (0..mesh.0.len() as u32).rev().collect();
+    let constraints = Constraints { visits: &backwards, ..Constraints::default() };
+    let orders = [Order::Colors, Order::Index, Order::Wave, Order::Tail, Order::Given];
+    let results: BTreeSet<_> = orders.map(|order| run(&mesh, &in_order(order), &constraints).0).into();
+    assert_eq!(results.len(), orders.len());
+}
+
+#[test]
+fn all_vertices_by_number_are_the_index_order() {
+    let mesh = torus(20, 14, 0.4, 6);
+    let all: Vec<u32> = (0..mesh.0.len() as u32).collect();
+    assert_eq!(given(&mesh, &all), {
+        let (positions, report) = run(&mesh, &in_order(Order::Index), &Constraints::default());
+        (positions, Report { seconds: given(&mesh, &all).1.seconds, ..report })
+    });
+}
+
+#[test]
+fn a_front_from_the_boundary_reaches_every_vertex_once() {
+    let mesh = sheet(9, 0.2, 0.4, 7);
+    let boundary: Vec<u32> = (0..100).filter(|v| v / 10 % 9 == 0 || v % 10 % 9 == 0).collect();
+    let order = rings(&mesh, &boundary);
+    assert_eq!((order.len(), boundary.len()), (100, 36));
+    assert_eq!(wave(&mesh, &[]), given(&mesh, &order).0);
+    assert_eq!(wave(&mesh, &[false; 100]), given(&mesh, &order).0);
+}
+
+#[test]
+fn a_boundary_that_slides_goes_first() {
+    let mesh = scattered(60, 8);
+    let sliding = |order| Options { boundary: Boundary::Slide, ..in_order(order) };
+    let is_inside = |p: &[f64; 3]| p[..2].iter().all(|x| (0.001..0.999).contains(x));
+    let (mut sides, mut triangles) = (mesh.0.clone(), mesh.1.clone());
+    // A vertex in the middle of a side, so that there is something to slide.
+    let split =
+        triangles.iter().position(|t| t.iter().filter(|&&v| !is_inside(&sides[v as usize])).count() == 2).unwrap();
+    let [a, b, c] = triangles[split];
+    let turned = [[a, b, c], [b, c, a], [c, a, b]];
+    let [a, b, c] = *turned.iter().find(|t| is_inside(&sides[t[2] as usize])).unwrap();
+    let middle = sides.len() as u32;
+    let [p, q] = [a, b].map(|v| sides[v as usize]);
+    sides.push([0, 1, 2].map(|k| 0.6 * p[k] + 0.4 * q[k]));
+    triangles[split] = [a, middle, c];
+    triangles.push([middle, b, c]);
+    let mesh = (sides, triangles);
+    let boundary: Vec<u32> = (0..=middle).filter(|&v| !is_inside(&mesh.0[v as usize])).collect();
+    let order = rings(&mesh, &boundary);
+    let constraints = Constraints { visits: &order, ..Constraints::default() };
+    let expected = run(&mesh, &sliding(Order::Given), &constraints).0;
+    assert_eq!(run(&mesh, &sliding(Order::Wave), &Constraints::default()).0, expected);
+    assert_ne!(expected[middle as usize], mesh.0[middle as usize].map(f64::to_bits), "it slides");
+}
+
+#[test]
+fn a_front_on_a_closed_surface_starts_at_the_worst_triangle() {
+    let mesh = torus(20, 14, 0.4, 9);
+    assert_eq!(wave(&mesh, &[]), given(&mesh, &rings(&mesh, &worst_triangle(&mesh))).0);
+}
+
+#[test]
+fn seeds_come_before_boundary_and_worst_triangle() {
+    for mesh in [sheet(9, 0.2, 0.4, 10), torus(20, 14, 0.4, 10)] {
+        let seeds = [41, 17, 80];
+        let expected = given(&mesh, &rings(&mesh, &seeds)).0;
+        assert_eq!(wave(&mesh, &mask(&mesh, &seeds)), expected);
+        assert_ne!(wave(&mesh, &[]), expected);
+    }
+}
+
+#[test]
+fn each_component_has_its_own_front() {
+    let (closed, open) = (torus(20, 14, 0.4, 11), sheet(9, 0.2, 0.4, 11));
+    let both = beside(closed.clone(), &open);
+    let first = closed.0.len() as u32;
+    let mut starts = worst_triangle(&closed).to_vec();
+    starts.extend((0..100).filter(|v| v / 10 % 9 == 0 || v % 10 % 9 == 0).map(|v| first + v));
+    assert_eq!(wave(&both, &[]), given(&both, &rings(&both, &starts)).0);
+    // A seed in one component leaves the other one as it was.
+    let seed = first + 44;
+    starts.truncate(3);
+    starts.push(seed);
+    assert_eq!(wave(&both, &mask(&both, &[seed])), given(&both, &rings(&both, &starts)).0);
+}
+
+#[test]
+fn a_front_passes_through_vertices_that_stay() {
+    let mesh = sheet(9, 0.2, 0.4, 12);
+    let locked = mask(&mesh, &(0..10).map(|row| 10 * row + 4).collect::<Vec<u32>>());
+    let seeds = mask(&mesh, &[11]);
+    let visits = rings(&mesh, &[11]);
+    let constraints = Constraints { locked: &locked, seeds: &seeds, visits: &visits, ..Constraints::default() };
+    let [waved, listed] = [Order::Wave, Order::Given].map(|order| run(&mesh, &in_order(order), &constraints).0);
+    assert_eq!(waved, listed);
+    let behind = 10 * 5 + 7;
+    assert_ne!(waved[behind], mesh.0[behind].map(f64::to_bits));
+}
+
+#[test]
+fn only_the_vertices_of_the_list_move() {
+    let mesh = torus(20, 14, 0.4, 13);
+    let (after, report) = given(&mesh, &[5, 90, 5, 17]);
+    let moved: Vec<usize> = (0..after.len()).filter(|&v| after[v] != mesh.0[v].map(f64::to_bits)).collect();
+    assert_eq!((moved, report.moved), (vec![5, 17, 90], 3));
+    assert_ne!(after[5], given(&mesh, &[5, 90, 17]).0[5], "a second visit in the same sweep counts");
+    assert_eq!(given(&mesh, &[]).1.moved, 0);
+}
+
+#[test]
+fn vertices_that_may_not_move_are_passed_over() {
+    let mut mesh = torus(20, 14, 0.4, 14);
+    mesh.0.push([9.0; 3]);
+    let unused = mesh.0.len() as u32 - 1;
+    let locked = mask(&mesh, &[7]);
+    let constraints = Constraints { locked: &locked, visits: &[7, unused, 8], ..Constraints::default() };
+    let (after, report) = run(&mesh, &in_order(Order::Given), &constraints);
+    assert_eq!((report.moved, report.kept.locked, report.kept.unreferenced), (1, 1, 1));
+    assert_ne!(after[8], mesh.0[8].map(f64::to_bits));
+}
+
+#[test]
+fn what_an_order_asks_for_has_to_fit_the_mesh() {
+    let mesh = torus(6, 6, 0.3, 15);
+    let failure = |order, constraints: &Constraints<'_>| {
+        let mut positions = mesh.0.clone();
+        let result = smooth(&mut positions, &mesh.1, &in_order(order), constraints, &mut silent);
+        assert!(result.is_ok() || positions == mesh.0);
+        result.err()
+    };
+    let visits = Constraints { visits: &[3, 35, 36, 99], ..Constraints::default() };
+    let expected = Error::VisitOutOfRange { visit: 2, index: 36, vertex_count: 36 };
+    assert_eq!(expected.to_string(), "visit 2 names vertex 36, but there are 36 vertices");
+    assert_eq!(failure(Order::Given, &visits), Some(expected));
+    let seeds = Constraints { seeds: &[true; 35], ..Constraints::default() };
+    assert_eq!(failure(Order::Wave, &seeds), Some(Error::SeedLength { found: 35, vertex_count: 36 }));
+    for order in [Order::Colors, Order::Index, Order::Tail] {
+        assert_eq!([&visits, &seeds].map(|unread| failure(order, unread)), [None, None], "{order:?} looks at neither");
+    }
+}
+
+/// A torus on which one vertex in twelve has come close to a neighbour.
+fn with_slivers(seed: u64) -> Mesh {
+    let mut mesh = torus(40, 24, 0.3, seed);
+    for v in (0..mesh.0.len() - 1).step_by(12) {
+        let (at, to) = (mesh.0[v], mesh.0[v + 1]);
+        mesh.0[v] = [0, 1, 2].map(|k| 0.1 * at[k] + 0.9 * to[k]);
+    }
+    mesh
+}
+
+#[test]
+fn worst_first_leaves_a_better_worst_triangle_than_by_index() {
+    for seed in 1..6 {
+        let mesh = with_slivers(seed);
+        let [by_index, tail] =
+            [Order::Index, Order::Tail].map(|order| run(&mesh, &in_order(order), &Constraints::default()).1.after);
+        assert!(tail.shape.min > by_index.shape.min, "seed {seed}: {} {}", tail.shape.min, by_index.shape.min);
+        assert!(tail.edge_ratio.mean < 1.02 * by_index.edge_ratio.mean, "the others are not forgotten");
+    }
+}
+
+#[test]
+fn worst_first_visits_a_bad_star_more_than_once() {
+    // A single star: every visit is to its centre, and by index there is one a sweep.
+    let ring = (0..6).map(|i| f64::from(i) * std::f64::consts::FRAC_PI_3).map(|a| [a.cos(), a.sin(), 0.0]);
+    let mesh: Mesh = (
+        std::iter::once([0.95, 0.0, 0.0]).chain(ring).collect(),
+        (0..6).map(|i| [0, i + 1, (i + 1) % 6 + 1]).collect(),
+    );
+    let one = |order| run(&mesh, &Options { iterations: 1, ..in_order(order) }, &Constraints::default()).0;
+    assert_eq!(one(Order::Tail), one(Order::Index), "nothing near it has changed, and there is one visit in all");
+}
+
+#[test]
+fn a_cancelled_order_leaves_everything() {
+    let mesh = torus(80, 60, 0.4, 16);
+    let all: Vec<u32> = (0..mesh.0.len() as u32).collect();
+    let constraints = Constraints { visits: &all, ..Constraints::default() };
+    for order in ALONE {
+        let mut told = Vec::new();
+        let mut positions = mesh.0.clone();
+        let mut listen = |done: f64| {
+            told.push(done);
+            if done >= 0.5 { Flow::Cancel } else { Flow::Continue }
+        };
+        let result = smooth(&mut positions, &mesh.1, &in_order(order), &constraints, &mut listen);
+        assert_eq!(result.unwrap_err(), Error::Cancelled, "{order:?}");
+        assert!(positions == mesh.0, "{order:?}");
+        assert!(told.is_sorted() && told.len() >= 3 && told[1..].iter().all(|&d| d < 1.0), "{order:?}: {told:?}");
+    }
+}
+
+#[test]
+fn where_nothing_moves_every_order_ends() {
+    let mesh = sheet(4, 0.0, 0.0, 17);
+    let locked = [true; 25];
+    for order in ALONE {
+        let constraints = Constraints { locked: &locked, visits: &[12, 12], ..Constraints::default() };
+        let options = Options { iterations: 10_000, ..in_order(order) };
+        assert_eq!(run(&mesh, &options, &constraints).1.moved, 0, "{order:?}");
+        let empty: Mesh = (Vec::new(), Vec::new());
+        assert_eq!(run(&empty, &options, &Constraints::default()).1.moved, 0, "{order:?}");
+    }
+}
