@@ -69,7 +69,7 @@ fn beside(one: Mesh, other: &Mesh) -> Mesh {
 
 #[test]
 fn each_order_has_a_result_of_its_own() {
-    let mesh = torus(24, 16, 0.4, 5);
+    let mesh = torus(48, 24, 0.4, 5);
     let backwards: Vec<u32> = (0..mesh.0.len() as u32).rev().collect();
     let constraints = Constraints { visits: &backwards, ..Constraints::default() };
     let orders = [Order::Colors, Order::Index, Order::Wave, Order::Tail, Order::Given];
@@ -81,10 +81,10 @@ fn each_order_has_a_result_of_its_own() {
 fn all_vertices_by_number_are_the_index_order() {
     let mesh = torus(20, 14, 0.4, 6);
     let all: Vec<u32> = (0..mesh.0.len() as u32).collect();
-    assert_eq!(given(&mesh, &all), {
-        let (positions, report) = run(&mesh, &in_order(Order::Index), &Constraints::default());
-        (positions, Report { seconds: given(&mesh, &all).1.seconds, ..report })
-    });
+    let (by_index, report) = run(&mesh, &in_order(Order::Index), &Constraints::default());
+    let (listed, same) = given(&mesh, &all);
+    assert!(listed == by_index);
+    assert_eq!((same.moves_halved, same.moves_refused), (report.moves_halved, report.moves_refused));
 }
 
 #[test]
@@ -93,8 +93,8 @@ fn a_front_from_the_boundary_reaches_every_vertex_once() {
     let boundary: Vec<u32> = (0..100).filter(|v| v / 10 % 9 == 0 || v % 10 % 9 == 0).collect();
     let order = rings(&mesh, &boundary);
     assert_eq!((order.len(), boundary.len()), (100, 36));
-    assert_eq!(wave(&mesh, &[]), given(&mesh, &order).0);
-    assert_eq!(wave(&mesh, &[false; 100]), given(&mesh, &order).0);
+    assert!(wave(&mesh, &[]) == given(&mesh, &order).0);
+    assert!(wave(&mesh, &[false; 100]) == given(&mesh, &order).0);
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_boundary_that_slides_goes_first() {
 #[test]
 fn a_front_on_a_closed_surface_starts_at_the_worst_triangle() {
     let mesh = torus(20, 14, 0.4, 9);
-    assert_eq!(wave(&mesh, &[]), given(&mesh, &rings(&mesh, &worst_triangle(&mesh))).0);
+    assert!(wave(&mesh, &[]) == given(&mesh, &rings(&mesh, &worst_triangle(&mesh))).0);
 }
 
 #[test]
@@ -134,8 +134,8 @@ fn seeds_come_before_boundary_and_worst_triangle() {
     for mesh in [sheet(9, 0.2, 0.4, 10), torus(20, 14, 0.4, 10)] {
         let seeds = [41, 17, 80];
         let expected = given(&mesh, &rings(&mesh, &seeds)).0;
-        assert_eq!(wave(&mesh, &mask(&mesh, &seeds)), expected);
-        assert_ne!(wave(&mesh, &[]), expected);
+        assert!(wave(&mesh, &mask(&mesh, &seeds)) == expected);
+        assert!(wave(&mesh, &[]) != expected);
     }
 }
 
@@ -146,12 +146,12 @@ fn each_component_has_its_own_front() {
     let first = closed.0.len() as u32;
     let mut starts = worst_triangle(&closed).to_vec();
     starts.extend((0..100).filter(|v| v / 10 % 9 == 0 || v % 10 % 9 == 0).map(|v| first + v));
-    assert_eq!(wave(&both, &[]), given(&both, &rings(&both, &starts)).0);
+    assert!(wave(&both, &[]) == given(&both, &rings(&both, &starts)).0);
     // A seed in one component leaves the other one as it was.
     let seed = first + 44;
     starts.truncate(3);
     starts.push(seed);
-    assert_eq!(wave(&both, &mask(&both, &[seed])), given(&both, &rings(&both, &starts)).0);
+    assert!(wave(&both, &mask(&both, &[seed])) == given(&both, &rings(&both, &starts)).0);
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn a_front_passes_through_vertices_that_stay() {
     let visits = rings(&mesh, &[11]);
     let constraints = Constraints { locked: &locked, seeds: &seeds, visits: &visits, ..Constraints::default() };
     let [waved, listed] = [Order::Wave, Order::Given].map(|order| run(&mesh, &in_order(order), &constraints).0);
-    assert_eq!(waved, listed);
+    assert!(waved == listed);
     let behind = 10 * 5 + 7;
     assert_ne!(waved[behind], mesh.0[behind].map(f64::to_bits));
 }
@@ -209,12 +209,12 @@ fn what_an_order_asks_for_has_to_fit_the_mesh() {
     }
 }
 
-/// A torus on which one vertex in twelve has come close to a neighbour.
+/// A torus on which one vertex in twelve has come very close to a neighbour, too bad for two sweeps by index.
 fn with_slivers(seed: u64) -> Mesh {
-    let mut mesh = torus(40, 24, 0.3, seed);
+    let mut mesh = torus(40, 24, 0.4, seed);
     for v in (0..mesh.0.len() - 1).step_by(12) {
         let (at, to) = (mesh.0[v], mesh.0[v + 1]);
-        mesh.0[v] = [0, 1, 2].map(|k| 0.1 * at[k] + 0.9 * to[k]);
+        mesh.0[v] = [0, 1, 2].map(|k| 0.02 * at[k] + 0.98 * to[k]);
     }
     mesh
 }
@@ -225,21 +225,70 @@ fn worst_first_leaves_a_better_worst_triangle_than_by_index() {
         let mesh = with_slivers(seed);
         let [by_index, tail] =
             [Order::Index, Order::Tail].map(|order| run(&mesh, &in_order(order), &Constraints::default()).1.after);
+        assert!(by_index.shape.min < 0.5);
         assert!(tail.shape.min > by_index.shape.min, "seed {seed}: {} {}", tail.shape.min, by_index.shape.min);
         assert!(tail.edge_ratio.mean < 1.02 * by_index.edge_ratio.mean, "the others are not forgotten");
     }
 }
 
+/// Shape of the worst triangle at each vertex.
+fn worst_shapes(mesh: &Mesh) -> Vec<f64> {
+    let mut worst = vec![f64::INFINITY; mesh.0.len()];
+    for t in &mesh.1 {
+        let first = (0..3).min_by_key(|&k| t[k]).expect("three corners");
+        let shape = shape(mesh, &[0, 1, 2].map(|k| t[(first + k) % 3])) * 12.0_f64.sqrt();
+        t.iter().for_each(|&v| worst[v as usize] = worst[v as usize].min(shape));
+    }
+    worst
+}
+
+/// What worst first is to do, said in another way: before each visit everything is measured.
+fn worst_first_by_hand(mesh: &Mesh, movable: &[u32], sweeps: u32) -> (Mesh, usize) {
+    let mut mesh = mesh.clone();
+    let mut again = 0;
+    for _ in 0..sweeps {
+        let mut visits = vec![0; mesh.0.len()];
+        let mut wants = vec![true; mesh.0.len()];
+        for _ in 0..movable.len() {
+            let worst = worst_shapes(&mesh);
+            let at = |v: &u32| *v as usize;
+            let may = |v: &&u32| wants[at(v)] && (visits[at(v)] == 0 || visits[at(v)] < 6 && worst[at(v)] < 0.5);
+            let Some(&v) = movable.iter().filter(may).min_by(|a, b| worst[at(a)].total_cmp(&worst[at(b)])) else {
+                break;
+            };
+            again += usize::from(visits[v as usize] > 0);
+            visits[v as usize] += 1;
+            wants[v as usize] = false;
+            let options = Options { iterations: 1, ..in_order(Order::Given) };
+            let after = run(&mesh, &options, &Constraints { visits: &[v], ..Constraints::default() }).0;
+            let after: Vec<[f64; 3]> = after.iter().map(|p| p.map(f64::from_bits)).collect();
+            if after != mesh.0 {
+                mesh.0 = after;
+                mesh.1
+                    .iter()
+                    .filter(|t| t.contains(&v))
+                    .flatten()
+                    .filter(|&&r| r != v)
+                    .for_each(|r| wants[at(r)] = true);
+            }
+        }
+    }
+    (mesh, again)
+}
+
 #[test]
-fn worst_first_visits_a_bad_star_more_than_once() {
-    // A single star: every visit is to its centre, and by index there is one a sweep.
-    let ring = (0..6).map(|i| f64::from(i) * std::f64::consts::FRAC_PI_3).map(|a| [a.cos(), a.sin(), 0.0]);
-    let mesh: Mesh = (
-        std::iter::once([0.95, 0.0, 0.0]).chain(ring).collect(),
-        (0..6).map(|i| [0, i + 1, (i + 1) % 6 + 1]).collect(),
-    );
-    let one = |order| run(&mesh, &Options { iterations: 1, ..in_order(order) }, &Constraints::default()).0;
-    assert_eq!(one(Order::Tail), one(Order::Index), "nothing near it has changed, and there is one visit in all");
+fn worst_first_is_what_measuring_before_each_visit_gives() {
+    for seed in 1..6 {
+        // In a plane no visit depends on where the call before it began.
+        let mesh = scattered(70, seed);
+        let triangles = |v: u32| mesh.1.iter().filter(move |t| t.contains(&v));
+        let closes = |&v: &u32| triangles(v).flatten().collect::<BTreeSet<_>>().len() == triangles(v).count() + 1;
+        let movable: Vec<u32> = (0..mesh.0.len() as u32).filter(closes).collect();
+        let (expected, again) = worst_first_by_hand(&mesh, &movable, 2);
+        assert!(again > 0, "seed {seed}: no star was bad enough for a second visit");
+        let after = run(&mesh, &in_order(Order::Tail), &Constraints::default()).0;
+        assert!(after == expected.0.iter().map(|p| p.map(f64::to_bits)).collect::<Vec<_>>(), "seed {seed}");
+    }
 }
 
 #[test]

@@ -168,9 +168,16 @@ impl<'a> Queue<'a> {
         self.around.stars.rim(v).windows(2).map(|ends| self.shape(v, ends)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Mean-ratio shape of the triangle between `v` and an edge of its rim.
+    /// Mean-ratio shape of the triangle between `v` and an edge of its rim: to the bit the same in the stars of all its
+    /// corners, so that these are equals.
     fn shape(&self, v: u32, ends: &[u32]) -> f64 {
-        Sides::new([v, ends[0], ends[1]].map(|corner| self.places.get(corner))).shape()
+        let [a, b] = [ends[0], ends[1]];
+        let from_least = match v.min(a).min(b) {
+            least if least == v => [v, a, b],
+            least if least == a => [a, b, v],
+            _ => [b, v, a],
+        };
+        Sides::new(from_least.map(|corner| self.places.get(corner))).shape()
     }
 }
 
