@@ -201,6 +201,10 @@ typedef struct qsm_options {
      */
     int32_t keep_sizes;
     /**
+     * Fills up to the next pointer. Means nothing.
+     */
+    int32_t unused;
+    /**
      * Where the front of QSM_ORDER_WAVE starts: one byte a vertex, vertex_count in all, not 0 where it does. In parts of
      * the mesh without such a vertex, or if this is NULL, it starts at the boundary, or else at the worst triangle. No
      * other order looks at it. Default NULL.

@@ -211,7 +211,7 @@ fn what_an_order_asks_for_has_to_fit_the_mesh() {
 
 /// A torus on which one vertex in twelve has come very close to a neighbour, too bad for two sweeps by index.
 fn with_slivers(seed: u64) -> Mesh {
-    let mut mesh = torus(40, 24, 0.4, seed);
+    let mut mesh = torus(40, 24, 0.2, seed);
     for v in (0..mesh.0.len() - 1).step_by(12) {
         let (at, to) = (mesh.0[v], mesh.0[v + 1]);
         mesh.0[v] = [0, 1, 2].map(|k| 0.02 * at[k] + 0.98 * to[k]);
@@ -221,13 +221,13 @@ fn with_slivers(seed: u64) -> Mesh {
 
 #[test]
 fn worst_first_leaves_a_better_worst_triangle_than_by_index() {
-    for seed in 1..6 {
+    for seed in 1..9 {
         let mesh = with_slivers(seed);
-        let [by_index, tail] =
-            [Order::Index, Order::Tail].map(|order| run(&mesh, &in_order(order), &Constraints::default()).1.after);
-        assert!(by_index.shape.min < 0.5);
+        let after = |order| run(&mesh, &Options { iterations: 1, ..in_order(order) }, &Constraints::default()).1.after;
+        let (by_index, tail) = (after(Order::Index), after(Order::Tail));
+        assert!(by_index.shape.min < 0.5, "seed {seed}: nothing is left to do");
         assert!(tail.shape.min > by_index.shape.min, "seed {seed}: {} {}", tail.shape.min, by_index.shape.min);
-        assert!(tail.edge_ratio.mean < 1.02 * by_index.edge_ratio.mean, "the others are not forgotten");
+        assert!(tail.edge_ratio.mean < 1.02 * by_index.edge_ratio.mean, "seed {seed}: the others are forgotten");
     }
 }
 

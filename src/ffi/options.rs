@@ -174,6 +174,9 @@ pub struct qsm_options {
     /// 1: keep the ratios of neighbouring sizes, so that a graded mesh stays graded. 0: leave them to the method.
     /// Default 0.
     pub keep_sizes: i32,
+    // Padding in its place would carry bytes of the library's stack to the host.
+    /// Fills up to the next pointer. Means nothing.
+    pub unused: i32,
     /// Where the front of QSM_ORDER_WAVE starts: one byte a vertex, vertex_count in all, not 0 where it does. In parts of
     /// the mesh without such a vertex, or if this is NULL, it starts at the boundary, or else at the worst triangle. No
     /// other order looks at it. Default NULL.
@@ -219,6 +222,7 @@ impl Default for qsm_options {
             method: QSM_METHOD_QUASI_STATISTICAL,
             metric: QSM_METRIC_EDGE_RATIO,
             keep_sizes: i32::from(defaults.keep_sizes),
+            unused: 0,
             seeds: null(),
             visits: null(),
             visit_count: 0,
