@@ -47,15 +47,8 @@ fn mask(mesh: &Mesh, vertices: &[u32]) -> Vec<bool> {
     (0..mesh.0.len() as u32).map(|v| vertices.contains(&v)).collect()
 }
 
-fn shape(mesh: &Mesh, triangle: &[u32; 3]) -> f64 {
-    let normal = meshes::normal(&mesh.0, triangle);
-    let square = |a: u32, b: u32| (0..3).map(|k| (mesh.0[a as usize][k] - mesh.0[b as usize][k]).powi(2)).sum::<f64>();
-    let [a, b, c] = *triangle;
-    meshes::dot(normal, normal).sqrt() / (square(a, b) + square(b, c) + square(c, a))
-}
-
 fn worst_triangle(mesh: &Mesh) -> [u32; 3] {
-    *mesh.1.iter().min_by(|s, t| shape(mesh, s).total_cmp(&shape(mesh, t))).expect("a triangle")
+    *mesh.1.iter().min_by(|s, t| meshes::shape(&mesh.0, s).total_cmp(&meshes::shape(&mesh.0, t))).expect("a triangle")
 }
 
 /// Two meshes in one, beside each other.
@@ -236,7 +229,7 @@ fn worst_shapes(mesh: &Mesh) -> Vec<f64> {
     let mut worst = vec![f64::INFINITY; mesh.0.len()];
     for t in &mesh.1 {
         let first = (0..3).min_by_key(|&k| t[k]).expect("three corners");
-        let shape = shape(mesh, &[0, 1, 2].map(|k| t[(first + k) % 3])) * 12.0_f64.sqrt();
+        let shape = meshes::shape(&mesh.0, &[0, 1, 2].map(|k| t[(first + k) % 3]));
         t.iter().for_each(|&v| worst[v as usize] = worst[v as usize].min(shape));
     }
     worst
