@@ -303,6 +303,25 @@ fn a_cancelled_order_leaves_everything() {
     }
 }
 
+/// Measuring a star of many triangles whenever one of them changes would take hours.
+#[test]
+fn two_vertices_with_very_many_triangles_take_no_order_long() {
+    let count = 200_000_u32;
+    let mut random = meshes::Random(18);
+    let around = |k: u32| f64::from(k) / f64::from(count) * std::f64::consts::TAU;
+    let ring = (0..count).map(|k| [around(k).cos(), around(k).sin(), 1e-6 * random.signed()]);
+    let positions = [[0.0, 0.0, 1.0], [0.1, 0.0, -1.0]].into_iter().chain(ring).collect();
+    let sides = (0..count).map(|k| [k + 2, (k + 1) % count + 2]);
+    let triangles = sides.flat_map(|[a, b]| [[0, a, b], [1, b, a]]).collect();
+    let mesh: Mesh = (positions, triangles);
+    let visits: Vec<u32> = (0..count + 2).collect();
+    for order in ALONE {
+        let constraints = Constraints { visits: &visits, ..Constraints::default() };
+        let report = run(&mesh, &in_order(order), &constraints).1;
+        assert!(report.moved > 1000, "{order:?} moves {}", report.moved);
+    }
+}
+
 #[test]
 fn where_nothing_moves_every_order_ends() {
     let mesh = sheet(4, 0.0, 0.0, 17);

@@ -5,7 +5,7 @@ mod meshes;
 use meshes::{Mesh, cube, scattered, sheet, torus};
 use proptest::prelude::*;
 use qsmesh::progress::silent;
-use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Plane, Report, smooth};
+use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Order, Plane, Report, smooth};
 
 fn any_mesh() -> impl Strategy<Value = Mesh> {
     prop_oneof![
@@ -17,10 +17,11 @@ fn any_mesh() -> impl Strategy<Value = Mesh> {
 }
 
 fn any_options() -> impl Strategy<Value = Options> {
-    let choices = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>());
+    const ORDERS: [Order; 4] = [Order::Colors, Order::Index, Order::Wave, Order::Tail];
+    let choices = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>(), prop::sample::select(&ORDERS[..]));
     let numbers = (0..5_u32, 0.05..2.0_f64, 0.01..4.0_f64, 1.0..10.0_f64, 0.0..1.0_f64, 5.0..90.0_f64);
     (choices, numbers).prop_map(
-        |((plane, ideal, slide, features), (iterations, relaxation, width, limit, floor, angle))| Options {
+        |((plane, ideal, slide, features, order), (iterations, relaxation, width, limit, floor, angle))| Options {
             iterations,
             relaxation,
             plane: if plane { Plane::VectorArea } else { Plane::LeastSquares },
@@ -30,6 +31,7 @@ fn any_options() -> impl Strategy<Value = Options> {
             quality_floor: floor,
             feature_angle: features.then_some(angle),
             boundary: if slide { Boundary::Slide } else { Boundary::Fixed },
+            order,
             ..Options::default()
         },
     )
