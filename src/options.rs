@@ -73,10 +73,11 @@ pub enum Order {
     /// The paper's "Wave": a front that spreads ring by ring from [`Constraints::seeds`], else from the boundary, else
     /// from the worst triangle. One thread.
     Wave,
-    /// The paper's "Triangle-tail": stars of the worst triangles first, measured again as their surroundings change. As
-    /// many visits as the sweeps would make. One thread.
+    /// The paper's "Triangle-tail": stars of the worst triangles first, measured again as their surroundings change. No
+    /// more visits than the other orders make. One thread.
     Tail,
     /// The caller's: the vertices of [`Constraints::visits`], one after the other, in each sweep. One thread.
+    /// [`Error::VisitOutOfRange`] if one of them does not exist.
     Given,
 }
 
@@ -185,8 +186,9 @@ pub struct Constraints<'a> {
     pub locked: &'a [bool],
     /// Edges to be kept as features, as pairs of vertex indices in any order. A pair that is no edge is ignored.
     pub feature_edges: &'a [[u32; 2]],
-    /// Where the front of [`Order::Wave`] starts. One entry a vertex; empty, or true nowhere: the boundary, or else the
-    /// worst triangle of each component. No other order looks at it.
+    /// Where the front of [`Order::Wave`] starts. One entry a vertex, else [`Error::SeedLength`]; empty: nowhere. A
+    /// component of the mesh without a seed starts from its boundary, or else from its worst triangle. No other order
+    /// looks at it.
     pub seeds: &'a [bool],
     /// The visits of one sweep in [`Order::Given`], as vertex numbers; any may be missing or come more than once, and one
     /// that may not move is passed over. No other order looks at it.
