@@ -97,10 +97,16 @@ impl Situation {
 fn situations(number: u64) -> [Situation; 2] {
     let jitter = 0.3 + 0.2 * Random(number).signed();
     let size = 3 + (number % 4) as u32;
-    let closed =
-        if number % 3 == 0 { cube(size, jitter, number) } else { torus(4 + 2 * size, 3 + size, jitter, number) };
-    let open =
-        if number % 2 == 0 { scattered(12 * size as usize, number) } else { sheet(2 * size, 0.2, jitter, number) };
+    let closed = if number.is_multiple_of(3) {
+        cube(size, jitter, number)
+    } else {
+        torus(4 + 2 * size, 3 + size, jitter, number)
+    };
+    let open = if number.is_multiple_of(2) {
+        scattered(12 * size as usize, number)
+    } else {
+        sheet(2 * size, 0.2, jitter, number)
+    };
     [Situation::new(closed, true, number), Situation::new(open, false, number)]
 }
 
