@@ -370,7 +370,7 @@ typedef struct qsm_kept {
      */
     size_t deviation;
     /**
-     * Already in place.
+     * Already in place, or not visited in the order that was chosen.
      */
     size_t settled;
 } qsm_kept;

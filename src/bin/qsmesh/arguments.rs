@@ -516,6 +516,14 @@ mod tests {
         };
         assert_eq!(chosen, expected);
     }
+
+    #[test]
+    fn orders_go_by_their_names() {
+        use qsmesh::Order::{Colors, Index, Tail, Wave};
+        let found = ["colors", "index", "wave", "tail"].map(|name| options(&["--order", name]).order);
+        assert_eq!(found, [Colors, Index, Wave, Tail]);
+    }
+
     #[test]
     fn every_choice_about_the_tail_reaches_the_library() {
         let chosen = tail_options(&[
