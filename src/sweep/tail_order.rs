@@ -118,26 +118,35 @@ impl<'a> Queue<'a> {
 
     /// Takes out the star with the worst triangle of all that wait.
     fn next(&mut self) -> Option<u32> {
-        loop {
-            let Waiting { shape, vertex } = self.heap.pop()?;
+        while let Some(Waiting { shape, vertex }) = self.heap.pop() {
             let star = self.stars[vertex as usize];
-            if !star.waits || star.bound.total_cmp(&shape).is_ne() {
+            if !star.waits || star.bound.total_cmp(&shape).is_ne() || self.waits_on(vertex) {
                 continue;
             }
-            // The bound has to do for a star of very many triangles, which would be measured whenever one of them changes.
-            let now = if self.around.stars.is_hub(vertex) { shape } else { self.worst_shape(vertex) };
             let star = &mut self.stars[vertex as usize];
-            if now > shape {
-                star.bound = now;
-                self.heap.push(Waiting { shape: now, vertex });
-                continue;
-            }
             star.waits = false;
             if star.may_be_visited() {
                 star.visits += 1;
                 return Some(vertex);
             }
         }
+        None
+    }
+
+    /// Measures the star of `v`, whose turn it would be, and lets it wait on if it has got better.
+    fn waits_on(&mut self, v: u32) -> bool {
+        // The bound has to do for a star of very many triangles, which would be measured whenever one of them changes.
+        if self.around.stars.is_hub(v) {
+            return false;
+        }
+        let now = self.worst_shape(v);
+        let star = &mut self.stars[v as usize];
+        let is_better = now > star.bound;
+        if is_better {
+            star.bound = now;
+            self.heap.push(Waiting { shape: now, vertex: v });
+        }
+        is_better
     }
 
     /// Measures what the move of `v` has changed, and lets its neighbours wait where another visit may help.
@@ -145,22 +154,28 @@ impl<'a> Queue<'a> {
         let rim = self.around.stars.rim(v);
         let room = self.heap.try_reserve(2 * rim.len());
         room.map_err(|_| Error::OutOfMemory { bytes: 2 * rim.len() * size_of::<Waiting>() })?;
-        self.stars[v as usize].bound = f64::INFINITY;
+        let mut worst = f64::INFINITY;
         for ends in rim.windows(2) {
             let shape = self.shape(v, ends);
-            let bound = &mut self.stars[v as usize].bound;
-            *bound = bound.min(shape);
-            ends.iter().filter(|&&r| self.around.features.role(r).moves()).for_each(|&r| {
-                let star = &mut self.stars[r as usize];
-                let falls = shape < star.bound;
-                star.bound = star.bound.min(shape);
-                if star.may_be_visited() && (falls || !star.waits) {
-                    star.waits = true;
-                    self.heap.push(Waiting { shape: star.bound, vertex: r });
-                }
-            });
+            worst = worst.min(shape);
+            ends.iter().for_each(|&r| self.lower(r, shape));
         }
+        self.stars[v as usize].bound = worst;
         Ok(())
+    }
+
+    /// Takes notice of a triangle in the star of `v` that has changed.
+    fn lower(&mut self, v: u32, shape: f64) {
+        if !self.around.features.role(v).moves() {
+            return;
+        }
+        let star = &mut self.stars[v as usize];
+        let is_worse = shape < star.bound;
+        star.bound = star.bound.min(shape);
+        if star.may_be_visited() && (is_worse || !star.waits) {
+            star.waits = true;
+            self.heap.push(Waiting { shape: star.bound, vertex: v });
+        }
     }
 
     /// Shape of the worst triangle of a star.

@@ -32,11 +32,18 @@ pub(super) fn run(
 fn front(around: &Surroundings<'_>, seeds: &[bool]) -> Result<Vec<u32>, Error> {
     let neighbours = Neighbours::new(around.mesh)?;
     let components = components(&neighbours)?;
-    let start = start(around, seeds, &components)?;
-    spread(&neighbours, &start)
+    let mut origins = memory::filled(Origin::UNKNOWN, components.len())?;
+    find_seeds_and_boundaries(around, seeds, &components, &mut origins);
+    find_worst(around.mesh, &components, &mut origins);
+    let mut front = memory::reserved(components.len())?;
+    let mut reached = memory::filled(false, components.len())?;
+    start(around, seeds, &components, &origins, &mut reached);
+    front.extend((0..reached.len() as u32).filter(|&v| reached[v as usize]));
+    spread(&neighbours, &mut front, &mut reached);
+    Ok(front)
 }
 
-/// What is known of where the front may start in a component.
+/// What is known of where the front may start in a component. It stands at the number of the component.
 #[derive(Clone, Copy)]
 struct Origin {
     has_seed: bool,
@@ -47,35 +54,27 @@ struct Origin {
 
 impl Origin {
     const UNKNOWN: Self = Self { has_seed: false, has_boundary: false, worst: None };
-
-    fn takes_worst(&self) -> bool {
-        !self.has_seed && !self.has_boundary
-    }
 }
 
-/// The vertices where the front starts, by index.
-fn start(around: &Surroundings<'_>, seeds: &[bool], components: &[u32]) -> Result<Vec<u32>, Error> {
-    let is_seed = |v: usize| seeds.get(v).copied().unwrap_or(false);
-    let is_open = |v: usize| around.stars.kind(v as u32) == StarKind::Open;
-    let mut origins = memory::filled(Origin::UNKNOWN, components.len())?;
-    let known = || components.iter().enumerate().filter(|&(_, &component)| component != NONE);
-    for (v, &component) in known() {
+/// Vertices that have a component, with its number.
+fn members(components: &[u32]) -> impl Iterator<Item = (u32, u32)> {
+    (0..).zip(components.iter().copied()).filter(|&(_, component)| component != NONE)
+}
+
+fn is_seed(seeds: &[bool], v: u32) -> bool {
+    seeds.get(v as usize).copied().unwrap_or(false)
+}
+
+fn is_on_boundary(around: &Surroundings<'_>, v: u32) -> bool {
+    around.stars.kind(v) == StarKind::Open
+}
+
+fn find_seeds_and_boundaries(around: &Surroundings<'_>, seeds: &[bool], components: &[u32], origins: &mut [Origin]) {
+    for (v, component) in members(components) {
         let origin = &mut origins[component as usize];
-        origin.has_seed |= is_seed(v);
-        origin.has_boundary |= is_open(v);
+        origin.has_seed |= is_seed(seeds, v);
+        origin.has_boundary |= is_on_boundary(around, v);
     }
-    find_worst(around.mesh, components, &mut origins);
-    let mut starts = memory::filled(false, components.len())?;
-    for (v, &component) in known() {
-        let origin = &origins[component as usize];
-        starts[v] = if origin.has_seed { is_seed(v) } else { is_open(v) };
-    }
-    for (_, triangle) in origins.iter().filter(|origin| origin.takes_worst()).filter_map(|origin| origin.worst) {
-        around.mesh.triangles[triangle as usize].iter().for_each(|&corner| starts[corner as usize] = true);
-    }
-    let mut vertices = memory::reserved(starts.iter().filter(|&&starts| starts).count())?;
-    vertices.extend((0..starts.len() as u32).filter(|&v| starts[v as usize]));
-    Ok(vertices)
 }
 
 fn find_worst(mesh: &Mesh<'_>, components: &[u32], origins: &mut [Origin]) {
@@ -88,13 +87,20 @@ fn find_worst(mesh: &Mesh<'_>, components: &[u32], origins: &mut [Origin]) {
     }
 }
 
-/// The front: the vertices of `start`, then those that share a triangle with them, and so on.
-fn spread(neighbours: &Neighbours<'_>, start: &[u32]) -> Result<Vec<u32>, Error> {
-    let count = neighbours.mesh.positions.len();
-    let mut reached = memory::filled(false, count)?;
-    let mut front: Vec<u32> = memory::reserved(count)?;
-    front.extend(start);
-    start.iter().for_each(|&v| reached[v as usize] = true);
+/// Tells at which vertices the front starts.
+fn start(around: &Surroundings<'_>, seeds: &[bool], components: &[u32], origins: &[Origin], starts: &mut [bool]) {
+    for (v, component) in members(components) {
+        let has_seed = origins[component as usize].has_seed;
+        starts[v as usize] = if has_seed { is_seed(seeds, v) } else { is_on_boundary(around, v) };
+    }
+    let is_closed_without_seed = |origin: &&Origin| !origin.has_seed && !origin.has_boundary;
+    for (_, triangle) in origins.iter().filter(is_closed_without_seed).filter_map(|origin| origin.worst) {
+        around.mesh.triangles[triangle as usize].iter().for_each(|&corner| starts[corner as usize] = true);
+    }
+}
+
+/// Adds ring after ring to the vertices in `front`: those that share a triangle with the ring before and are not `reached`.
+fn spread(neighbours: &Neighbours<'_>, front: &mut Vec<u32>, reached: &mut [bool]) {
     let mut ring = 0..front.len();
     while !ring.is_empty() {
         for at in ring.clone() {
@@ -107,5 +113,4 @@ fn spread(neighbours: &Neighbours<'_>, start: &[u32]) -> Result<Vec<u32>, Error>
         ring = ring.end..front.len();
         front[ring.clone()].sort_unstable();
     }
-    Ok(front)
 }
