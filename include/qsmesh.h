@@ -44,7 +44,7 @@ typedef int32_t qsm_ideal;
 typedef int32_t qsm_boundary;
 
 /**
- * Order in which a sweep visits the vertices: QSM_ORDER_COLORS or QSM_ORDER_INDEX.
+ * Order in which a sweep visits the vertices: one of the constants QSM_ORDER_COLORS to QSM_ORDER_GIVEN.
  */
 typedef int32_t qsm_order;
 
@@ -54,13 +54,25 @@ typedef int32_t qsm_order;
 typedef int32_t qsm_flow;
 
 /**
+ * What the triangles around a vertex want: one of the constants QSM_METHOD_QUASI_STATISTICAL to
+ * QSM_METHOD_TANGENTIAL_LAPLACIAN.
+ */
+typedef int32_t qsm_method;
+
+/**
+ * Quality parameter whose values are sampled and modelled: one of the constants QSM_METRIC_EDGE_RATIO to
+ * QSM_METRIC_SHAPE. They are other numbers than those of qsm_parameter.
+ */
+typedef int32_t qsm_metric;
+
+/**
  * Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
  * you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
  *
- * A host that only smooths may know this struct up to user alone, with struct_size accordingly; every field that it
- * does not know has its default then.
+ * A host that only smooths may know this struct up to user alone, one that also treats the tail up to triangle_mask,
+ * with struct_size accordingly; every field that it does not know has its default then.
  *
- * The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
+ * The fields from tail_edge_ratio to triangle_mask belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
  * look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
  * it has no meaning.
  */
@@ -175,10 +187,43 @@ typedef struct qsm_options {
      * but may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
      */
     const uint8_t *triangle_mask;
+    /**
+     * What the triangles around a vertex want. Default QSM_METHOD_QUASI_STATISTICAL.
+     */
+    qsm_method method;
+    /**
+     * Quality parameter that is modelled; of no meaning for the Laplacian methods. Default QSM_METRIC_EDGE_RATIO.
+     */
+    qsm_metric metric;
+    /**
+     * 1: keep the ratios of neighbouring sizes, so that a graded mesh stays graded. 0: leave them to the method.
+     * Default 0.
+     */
+    int32_t keep_sizes;
+    /**
+     * Fills up to the next pointer. Means nothing.
+     */
+    int32_t unused;
+    /**
+     * Where the front of QSM_ORDER_WAVE starts: one byte a vertex, vertex_count in all, not 0 where it does. In parts of
+     * the mesh without such a vertex, or if this is NULL, it starts at the boundary, or else at the worst triangle. No
+     * other order looks at it. Default NULL.
+     */
+    const uint8_t *seeds;
+    /**
+     * The visits of one sweep in QSM_ORDER_GIVEN, as vertex numbers. Any vertex may be missing or come more than once,
+     * and one that may not move is passed over. May be NULL if visit_count is 0. No other order looks at it.
+     * Default NULL.
+     */
+    const uint32_t *visits;
+    /**
+     * Number of visits. No order but QSM_ORDER_GIVEN looks at it. Default 0.
+     */
+    size_t visit_count;
 } qsm_options;
 
 /**
- * Result of a call: one of the constants QSM_OK to QSM_PANIC. Their values never change.
+ * Result of a call: one of the constants QSM_OK to QSM_VISIT_OUT_OF_RANGE. Their values never change.
  */
 typedef int32_t qsm_status;
 
@@ -325,7 +370,7 @@ typedef struct qsm_kept {
      */
     size_t deviation;
     /**
-     * Already in place.
+     * Already in place, or not visited in the order that was chosen.
      */
     size_t settled;
 } qsm_kept;
@@ -624,6 +669,11 @@ typedef int32_t qsm_parameter;
 #define QSM_PANIC 14
 
 /**
+ * An entry of visits names a vertex that does not exist.
+ */
+#define QSM_VISIT_OUT_OF_RANGE 15
+
+/**
  * Orthogonal to the vector area of the ring around the vertex: moves inside it cannot change the volume.
  */
 #define QSM_PLANE_VECTOR_AREA 0
@@ -663,6 +713,62 @@ typedef int32_t qsm_parameter;
  * By vertex index, on one thread.
  */
 #define QSM_ORDER_INDEX 1
+
+/**
+ * A front that spreads ring by ring from seeds, else from the boundary, else from the worst triangle; on one thread.
+ */
+#define QSM_ORDER_WAVE 2
+
+/**
+ * Around the worst triangles first, measured again as their surroundings change, with no more visits in all than the
+ * other orders make; on one thread.
+ */
+#define QSM_ORDER_TAIL 3
+
+/**
+ * The vertices of visits, one after the other, in each sweep; on one thread.
+ */
+#define QSM_ORDER_GIVEN 4
+
+/**
+ * The mean of forms modelled from the triangles' own statistics.
+ */
+#define QSM_METHOD_QUASI_STATISTICAL 0
+
+/**
+ * The mean of the ring around the vertex, wherever that is. The enclosed volume changes: for comparison.
+ */
+#define QSM_METHOD_LAPLACIAN 1
+
+/**
+ * The part of the Laplacian step that leaves the enclosed volume as it is.
+ */
+#define QSM_METHOD_TANGENTIAL_LAPLACIAN 2
+
+/**
+ * Longest edge over shortest edge.
+ */
+#define QSM_METRIC_EDGE_RATIO 0
+
+/**
+ * Smallest angle.
+ */
+#define QSM_METRIC_MIN_ANGLE 1
+
+/**
+ * Largest angle.
+ */
+#define QSM_METRIC_MAX_ANGLE 2
+
+/**
+ * Area relative to the mean area of the triangles around the vertex.
+ */
+#define QSM_METRIC_AREA 3
+
+/**
+ * Mean ratio.
+ */
+#define QSM_METRIC_SHAPE 4
 
 /**
  * Go on.

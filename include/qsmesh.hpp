@@ -242,8 +242,8 @@ template <typename I> auto points_between(I first, I last)
 }
 
 /*
- * Settings, with the fields of qsm_options and containers for its arrays. What is handed to lock, features and mask
- * must outlive the calls; a copy of the settings refers to the same memory.
+ * Settings, with the fields of qsm_options and containers for its arrays. What is handed to lock, features, mask,
+ * wave_from and visiting must outlive the calls; a copy of the settings refers to the same memory.
  */
 struct options : qsm_options {
     options() noexcept { qsm_options_init(this); }
@@ -280,6 +280,24 @@ struct options : qsm_options {
         return *this;
     }
 
+    /* One byte a vertex; the front starts where the byte is not 0. Sets the order to QSM_ORDER_WAVE. */
+    template <typename C> options &wave_from(const C &bytes)
+    {
+        seeds = byte_array(bytes, seed_count_);
+        order = QSM_ORDER_WAVE;
+        return *this;
+    }
+    /* Vertex numbers, the visits of one sweep. Sets the order to QSM_ORDER_GIVEN. */
+    template <typename C> options &visiting(const C &vertices)
+    {
+        static_assert(std::is_same_v<std::remove_cv_t<detail::element<const C>>, std::uint32_t>,
+                      "visits are std::uint32_t");
+        visits = std::data(vertices);
+        visit_count = static_cast<std::size_t>(std::size(vertices));
+        order = QSM_ORDER_GIVEN;
+        return *this;
+    }
+
     /* Name of the array that came from a container of another length than the mesh asks for; nullptr if none did. */
     const char *misfit(std::size_t vertex_count, std::size_t index_count) const noexcept
     {
@@ -289,6 +307,9 @@ struct options : qsm_options {
         if (triangle_mask != nullptr && mask_count_ != unknown && mask_count_ != index_count / 3) {
             return "triangle_mask";
         }
+        if (order == QSM_ORDER_WAVE && seeds != nullptr && seed_count_ != unknown && seed_count_ != vertex_count) {
+            return "seeds";
+        }
         return nullptr;
     }
 
@@ -297,6 +318,7 @@ private:
     /* A pointer set by hand says nothing of its length. */
     std::size_t lock_count_ = unknown;
     std::size_t mask_count_ = unknown;
+    std::size_t seed_count_ = unknown;
 
     template <typename C> static const std::uint8_t *byte_array(const C &bytes, std::size_t &count)
     {
@@ -510,7 +532,7 @@ void smooth(P &&positions, const I &triangles, const options &settings = {}, qsm
 
 /*
  * The same with the status as its value. Throws only what on_progress threw. QSM_BAD_OPTION without a word in the
- * report stands for a lock or mask of another length than the mesh asks for.
+ * report stands for a lock, mask or seeds of another length than the mesh asks for.
  */
 template <typename P, typename I>
 [[nodiscard]] qsm_status try_smooth(P &&positions, const I &triangles, const options &settings = {},

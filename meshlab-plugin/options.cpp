@@ -49,6 +49,17 @@ void addMethod(RichParameterList& list) {
     list.addParam(RichEnum("ideal", given.ideal, {"modelled", "equilateral"}, "Ideal shape",
                            "Shape asked of the triangles: modelled from the statistics of the triangles around the "
                            "vertex, or equilateral. Default: modelled."));
+    list.addParam(RichEnum("method", given.method, {"quasi-statistical", "laplacian", "tangential laplacian"}, "Method",
+                           "What the triangles around a vertex want: the mean of forms modelled from their own "
+                           "statistics, the mean of the ring around the vertex (for comparison: the volume changes), or "
+                           "the part of that step that keeps the volume. Default: quasi-statistical."));
+    list.addParam(RichEnum("metric", given.metric, {"edge ratio", "min angle", "max angle", "area", "shape"}, "Metric",
+                           "Quality parameter whose values are modelled: longest over shortest edge, smallest angle, "
+                           "largest angle, area relative to the triangles around, or mean ratio. Means nothing to the "
+                           "Laplacian methods. Default: edge ratio."));
+    list.addParam(RichBool("keep_sizes", given.keep_sizes, "Keep sizes",
+                           "Keeps the ratios of neighbouring sizes, so that a graded mesh stays graded. "
+                           "Default: off."));
 }
 
 void addTail(RichParameterList& list) {
@@ -99,9 +110,10 @@ void addBorders(RichParameterList& list, const CMeshO& mesh) {
 
 void addExpertMethod(RichParameterList& list) {
     const qsm_options given = defaults();
-    addExpert<RichEnum>(list, "order", given.order, QStringList{"colors", "index"}, "Order of the visits",
-                        "Order in which a sweep visits the vertices: by colour, on all threads, or by vertex index, on "
-                        "one. Default: colors.");
+    addExpert<RichEnum>(list, "order", given.order, QStringList{"colors", "index", "wave", "tail"}, "Order of the visits",
+                        "Order in which a sweep visits the vertices: by colour, on all threads, or on one by vertex "
+                        "index, as a front from the boundary or the worst triangle, or with the worst triangles "
+                        "first. Default: colors.");
     addExpert<RichInt>(list, "threads", int(given.threads), "Threads",
                        QString("Threads at most, 0 to 1024; 0: as many as the machine runs at once. The result is the "
                                "same for any number. Default: %1.")
@@ -198,6 +210,9 @@ qsm_options readOptions(Filter filter, const RichParameterList& list) {
     options.plane = list.getEnum("plane");
     options.ideal = list.getEnum("ideal");
     options.boundary = list.getEnum("boundary");
+    options.method = list.getEnum("method");
+    options.metric = list.getEnum("metric");
+    options.keep_sizes = list.getBool("keep_sizes");
     options.order = list.getEnum("order");
     options.threads = count(list, "threads", "in 0 to 1024");
     options.feature_angle = featureAngle(list);

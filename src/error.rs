@@ -53,6 +53,23 @@ pub enum Error {
         /// How many vertices there are.
         vertex_count: usize,
     },
+    /// [`Constraints::seeds`](crate::Constraints::seeds) is neither empty nor as long as the vertices, and the order asks
+    /// for it.
+    SeedLength {
+        /// Entries found.
+        found: usize,
+        /// Vertices in the mesh.
+        vertex_count: usize,
+    },
+    /// [`Constraints::visits`](crate::Constraints::visits) names a vertex that does not exist, and the order asks for it.
+    VisitOutOfRange {
+        /// Position in the list of visits, from 0.
+        visit: usize,
+        /// The vertex index that it holds.
+        index: u32,
+        /// How many vertices there are.
+        vertex_count: usize,
+    },
     /// More vertices than 32-bit indices can name, or more triangles than the library can address.
     TooLarge {
         /// The count that was passed.
@@ -83,6 +100,12 @@ impl fmt::Display for Error {
             }
             Self::FeatureEdgeOutOfRange { edge, index, vertex_count } => {
                 write!(f, "feature edge {edge} names vertex {index}, but there are {vertex_count} vertices")
+            }
+            Self::SeedLength { found, vertex_count } => {
+                write!(f, "the mask of seeds has {found} entries for {vertex_count} vertices")
+            }
+            Self::VisitOutOfRange { visit, index, vertex_count } => {
+                write!(f, "visit {visit} names vertex {index}, but there are {vertex_count} vertices")
             }
             Self::TooLarge { count } => write!(f, "a count of {count} elements is more than can be addressed"),
             Self::Cancelled => write!(f, "cancelled by the progress callback"),

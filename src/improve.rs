@@ -83,7 +83,8 @@ pub fn improve<T: Coordinate>(
         let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
         progress::tell(progress, 0.0)?;
         let around = prepared.surroundings(options);
-        let (new, mut smoothing) = smooth::sweeps(&prepared, options, threads, &mut |done| progress(SWEEPS * done))?;
+        let sweeps = &mut |done: f64| progress(SWEEPS * done);
+        let (new, mut smoothing) = smooth::sweeps(&prepared, options, constraints, threads, sweeps)?;
         let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
         let mut outcome = tail::run(&around, new, tail, rest)?;
         smoothing.seconds.tail = outcome.report.seconds;

@@ -25,7 +25,7 @@ mod threads;
 pub use error::Error;
 pub use improve::{Improvement, collapse_tails, improve};
 pub use mesh::Coordinate;
-pub use options::{Boundary, Constraints, Ideal, Options, Order, Plane};
+pub use options::{Boundary, Constraints, Ideal, Method, Metric, Options, Order, Plane};
 pub use progress::{Flow, Progress};
 pub use quality::{Distribution, Measurement, Parameter, histogram, measure, triangle_quality};
 pub use report::{Kept, Report, Seconds};

@@ -33,6 +33,34 @@ pub enum Boundary {
     Slide,
 }
 
+/// What a star wants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// The mean of the potential centers of its triangles, modelled from their statistics: the paper's method.
+    #[default]
+    QuasiStatistical,
+    /// The mean of its ring, wherever that is. The enclosed volume changes: for comparison.
+    Laplacian,
+    /// The part of the Laplacian step that leaves the enclosed volume as it is.
+    TangentialLaplacian,
+}
+
+/// Quality parameter whose values are sampled and modelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Metric {
+    /// Longest edge over shortest edge, the paper's AR.
+    #[default]
+    EdgeRatio,
+    /// Smallest angle.
+    MinAngle,
+    /// Largest angle.
+    MaxAngle,
+    /// Area relative to the mean area of the star.
+    Area,
+    /// Mean ratio 4√3·area / Σ edge².
+    Shape,
+}
+
 /// Order in which a sweep visits the stars. Each star sees what its neighbours visited before have become.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {
@@ -42,6 +70,15 @@ pub enum Order {
     Colors,
     /// By vertex index, the paper's "Gentle Enhancement Algorithm". One thread.
     Index,
+    /// The paper's "Wave": a front that spreads ring by ring from [`Constraints::seeds`], else from the boundary, else
+    /// from the worst triangle. One thread.
+    Wave,
+    /// The paper's "Triangle-tail": stars of the worst triangles first, measured again as their surroundings change. No
+    /// more visits than the other orders make. One thread.
+    Tail,
+    /// The caller's: the vertices of [`Constraints::visits`], one after the other, in each sweep. One thread.
+    /// [`Error::VisitOutOfRange`] if one of them does not exist.
+    Given,
 }
 
 /// Settings of [`smooth`](crate::smooth). Everything is free of scale but `max_deviation`.
@@ -49,6 +86,12 @@ pub enum Order {
 pub struct Options {
     /// Sweeps over the mesh, 0 to 10,000. Default 2: the method does its work in one or two.
     pub iterations: u32,
+    /// What a star wants. Default [`Method::QuasiStatistical`].
+    pub method: Method,
+    /// Quality parameter that is modelled; of no meaning for the Laplacian methods. Default [`Metric::EdgeRatio`].
+    pub metric: Metric,
+    /// Keep the ratios of neighbouring sizes: a graded mesh stays graded. Default false.
+    pub keep_sizes: bool,
     /// Over-relaxation ω of each move, above 0 and at most 2. Default 1.2; 1 is the paper's setting.
     pub relaxation: f64,
     /// Tangent plane of a star. Default [`Plane::VectorArea`].
@@ -82,6 +125,9 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             iterations: 2,
+            method: Method::default(),
+            metric: Metric::default(),
+            keep_sizes: false,
             relaxation: 1.2,
             plane: Plane::default(),
             ideal: Ideal::default(),
@@ -133,11 +179,18 @@ impl Options {
     }
 }
 
-/// Which vertices must stay and which edges are features, beside what the geometry says.
+/// Which vertices must stay, which edges are features beside what the geometry says, and where an order begins.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Constraints<'a> {
     /// One entry a vertex, true: keeps its bits. Empty: every vertex is free.
     pub locked: &'a [bool],
     /// Edges to be kept as features, as pairs of vertex indices in any order. A pair that is no edge is ignored.
     pub feature_edges: &'a [[u32; 2]],
+    /// Where the front of [`Order::Wave`] starts. One entry a vertex, else [`Error::SeedLength`]; empty: nowhere. A
+    /// component of the mesh without a seed starts from its boundary, or else from its worst triangle. No other order
+    /// looks at it.
+    pub seeds: &'a [bool],
+    /// The visits of one sweep in [`Order::Given`], as vertex numbers; any may be missing or come more than once, and one
+    /// that may not move is passed over. No other order looks at it.
+    pub visits: &'a [u32],
 }

@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::error::Error;
 use crate::features::Features;
 use crate::mesh::{Coordinate, Mesh, Stars};
-use crate::options::{Constraints, Options};
+use crate::options::{Constraints, Options, Order};
 use crate::star::Operation;
 use crate::sweep::Surroundings;
 use crate::threads::Threads;
@@ -32,6 +32,7 @@ impl<'a> Preparation<'a> {
         threads: &Threads<'_>,
     ) -> Result<Self, Error> {
         check_constraints(constraints, positions.len())?;
+        check_order(options.order, constraints, positions.len())?;
         let clock = Instant::now();
         let mesh = Mesh::new(positions, triangles)?;
         let stars = Stars::new(&mesh, threads)?;
@@ -67,4 +68,17 @@ fn check_constraints(constraints: &Constraints<'_>, vertex_count: usize) -> Resu
         }
     }
     Ok(())
+}
+
+/// Checks what the order asks for. No other order looks at it, so it may be anything there.
+fn check_order(order: Order, constraints: &Constraints<'_>, vertex_count: usize) -> Result<(), Error> {
+    let found = constraints.seeds.len();
+    if order == Order::Wave && found != 0 && found != vertex_count {
+        return Err(Error::SeedLength { found, vertex_count });
+    }
+    let is_missing = |&(_, &v): &(usize, &u32)| v as usize >= vertex_count;
+    match constraints.visits.iter().enumerate().find(is_missing) {
+        Some((visit, &index)) if order == Order::Given => Err(Error::VisitOutOfRange { visit, index, vertex_count }),
+        _ => Ok(()),
+    }
 }

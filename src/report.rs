@@ -21,7 +21,7 @@ pub struct Kept {
     pub guard: usize,
     /// Every move that was tried would have passed `max_deviation`.
     pub deviation: usize,
-    /// Already where the operation on its star would put it.
+    /// Already where the operation on its star would put it, or not visited in the order that was chosen.
     pub settled: usize,
 }
 

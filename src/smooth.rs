@@ -24,7 +24,7 @@ use crate::threads::Threads;
 ///
 /// # Errors
 /// [`Error::BadOption`], [`Error::TooLarge`], [`Error::IndexOutOfRange`], [`Error::NonFinite`], [`Error::LockLength`],
-/// [`Error::FeatureEdgeOutOfRange`], [`Error::OutOfMemory`], and [`Error::Cancelled`] if `progress` says so.
+/// [`Error::FeatureEdgeOutOfRange`], [`Error::SeedLength`], [`Error::VisitOutOfRange`], [`Error::OutOfMemory`], and [`Error::Cancelled`] if `progress` says so.
 ///
 /// Method: Egorova, Savchenko, Hagiwara, Savchenko, "Modeling of Quality Parameter Values for Improving Meshes" (2007).
 pub fn smooth<T: Coordinate>(
@@ -50,7 +50,7 @@ fn smooth_on<T: Coordinate>(
 ) -> Result<Report, Error> {
     let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
     progress::tell(progress, 0.0)?;
-    let (new, report) = sweeps(&prepared, options, threads, progress)?;
+    let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;
     let mesh = &prepared.mesh;
     for ((old, &new), stored) in mesh.positions.iter().zip(&new).zip(positions) {
@@ -65,13 +65,14 @@ fn smooth_on<T: Coordinate>(
 pub(crate) fn sweeps(
     prepared: &Preparation<'_>,
     options: &Options,
+    constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<(Vec<DVec3>, Report), Error> {
     let clock = Instant::now();
     let around = prepared.surroundings(options);
     let outcomes = Outcomes::new(prepared.mesh.positions.len())?;
-    let (new, tally) = sweep::run(&around, &outcomes, (options.order, options.iterations), threads, progress)?;
+    let (new, tally) = sweep::run(&around, &outcomes, options, constraints, threads, progress)?;
     let sweeps = clock.elapsed().as_secs_f64();
 
     let mut report = count(&around, &new, &outcomes, tally);

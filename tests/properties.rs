@@ -5,7 +5,7 @@ mod meshes;
 use meshes::{Mesh, cube, scattered, sheet, torus};
 use proptest::prelude::*;
 use qsmesh::progress::silent;
-use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Plane, Report, smooth};
+use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Order, Plane, Report, smooth};
 
 fn any_mesh() -> impl Strategy<Value = Mesh> {
     prop_oneof![
@@ -17,10 +17,11 @@ fn any_mesh() -> impl Strategy<Value = Mesh> {
 }
 
 fn any_options() -> impl Strategy<Value = Options> {
-    let choices = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>());
+    const ORDERS: [Order; 4] = [Order::Colors, Order::Index, Order::Wave, Order::Tail];
+    let choices = (any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>(), prop::sample::select(&ORDERS[..]));
     let numbers = (0..5_u32, 0.05..2.0_f64, 0.01..4.0_f64, 1.0..10.0_f64, 0.0..1.0_f64, 5.0..90.0_f64);
     (choices, numbers).prop_map(
-        |((plane, ideal, slide, features), (iterations, relaxation, width, limit, floor, angle))| Options {
+        |((plane, ideal, slide, features, order), (iterations, relaxation, width, limit, floor, angle))| Options {
             iterations,
             relaxation,
             plane: if plane { Plane::VectorArea } else { Plane::LeastSquares },
@@ -30,6 +31,7 @@ fn any_options() -> impl Strategy<Value = Options> {
             quality_floor: floor,
             feature_angle: features.then_some(angle),
             boundary: if slide { Boundary::Slide } else { Boundary::Fixed },
+            order,
             ..Options::default()
         },
     )
@@ -43,31 +45,6 @@ fn run(mesh: &Mesh, options: &Options, constraints: &Constraints<'_>) -> (Vec<[f
 
 fn bits(positions: &[[f64; 3]]) -> Vec<[u64; 3]> {
     positions.iter().map(|p| p.map(f64::to_bits)).collect()
-}
-
-/// Distance from a point to a mesh, by trying every triangle.
-fn distance(point: [f64; 3], mesh: &Mesh) -> f64 {
-    let sub = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    let dot = meshes::dot;
-    let to_segment = |a: [f64; 3], b: [f64; 3]| {
-        let (along, to) = (sub(b, a), sub(point, a));
-        let t = (dot(to, along) / dot(along, along)).clamp(0.0, 1.0);
-        let foot = sub(to, along.map(|x| x * t));
-        dot(foot, foot).sqrt()
-    };
-    let to_triangle = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|v| mesh.0[v as usize]);
-        let normal = meshes::normal(&mesh.0, t);
-        let square = dot(normal, normal);
-        let height = dot(sub(point, a), normal) / square;
-        let foot = sub(point, normal.map(|x| x * height));
-        let inside = [(a, b), (b, c), (c, a)].iter().all(|&(p, q)| {
-            let corner = [p, q, foot];
-            dot(meshes::normal(&corner, &[0, 1, 2]), normal) >= 0.0
-        });
-        if inside { height.abs() * square.sqrt() } else { to_segment(a, b).min(to_segment(b, c)).min(to_segment(c, a)) }
-    };
-    mesh.1.iter().map(to_triangle).fold(f64::INFINITY, f64::min)
 }
 
 proptest! {
@@ -121,7 +98,7 @@ proptest! {
         let options = Options { max_deviation: Some(share), ..options };
         let (after, report) = run(&mesh, &options, &Constraints::default());
         prop_assert!(report.max_deviation <= share);
-        let true_deviation = after.iter().map(|&p| distance(p, &mesh)).fold(0.0, f64::max);
+        let true_deviation = after.iter().map(|&p| meshes::distance(p, &mesh)).fold(0.0, f64::max);
         prop_assert!(true_deviation <= report.max_deviation + 1e-12);
     }
 

@@ -33,6 +33,7 @@ OVERLAP = 11
 CANCELLED = 12
 OUT_OF_MEMORY = 13
 PANIC = 14
+VISIT_OUT_OF_RANGE = 15
 
 PLANE_VECTOR_AREA = 0
 PLANE_LEAST_SQUARES = 1
@@ -42,6 +43,17 @@ BOUNDARY_FIXED = 0
 BOUNDARY_SLIDE = 1
 ORDER_COLORS = 0
 ORDER_INDEX = 1
+ORDER_WAVE = 2
+ORDER_TAIL = 3
+ORDER_GIVEN = 4
+METHOD_QUASI_STATISTICAL = 0
+METHOD_LAPLACIAN = 1
+METHOD_TANGENTIAL_LAPLACIAN = 2
+METRIC_EDGE_RATIO = 0
+METRIC_MIN_ANGLE = 1
+METRIC_MAX_ANGLE = 2
+METRIC_AREA = 3
+METRIC_SHAPE = 4
 CONTINUE = 0
 CANCEL = 1
 
@@ -95,6 +107,13 @@ class Options(ctypes.Structure):
         ("flips", c_int32),
         ("tail_operations", c_size_t),
         ("triangle_mask", POINTER(c_uint8)),
+        ("method", c_int32),
+        ("metric", c_int32),
+        ("keep_sizes", c_int32),
+        ("unused", c_int32),
+        ("seeds", POINTER(c_uint8)),
+        ("visits", POINTER(c_uint32)),
+        ("visit_count", c_size_t),
     ]
 
     def lock(self, locked):

@@ -9,10 +9,10 @@ from . import library
 
 SAME_NAME = (
     "iterations", "threads", "relaxation", "quality_floor", "interval_width", "sample_limit", "tail_edge_ratio",
-    "tail_attempts", "tail_operations", "flips",
+    "tail_attempts", "tail_operations", "flips", "keep_sizes",
 )
 ANGLES = ("tail_min_angle", "tail_max_angle")
-CHOICES = ("plane", "ideal", "boundary", "order")
+CHOICES = ("plane", "ideal", "boundary", "order", "method", "metric")
 
 
 def library_options(settings, world_shape):

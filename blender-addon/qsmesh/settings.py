@@ -72,6 +72,28 @@ class MethodSettings:
         name="Distance", subtype="DISTANCE", default=0.01, min=0, precision=4,
         description="Greatest distance of a vertex from the original surface, in the scene",
     )
+    method: EnumProperty(
+        name="Method", default="QUASI_STATISTICAL", description="What the triangles around a vertex want",
+        items=[
+            ("QUASI_STATISTICAL", "Quasi-Statistical", "The mean of forms modelled from their own statistics"),
+            ("LAPLACIAN", "Laplacian", "The mean of the vertices around; the volume changes. For comparison"),
+            ("TANGENTIAL_LAPLACIAN", "Tangential Laplacian", "The part of the Laplacian step that keeps the volume"),
+        ],
+    )
+    metric: EnumProperty(
+        name="Metric", default="EDGE_RATIO",
+        description="Quality of triangles whose values are modelled. Means nothing to the Laplacian methods",
+        items=[
+            ("EDGE_RATIO", "Edge Ratio", "Longest over shortest edge"),
+            ("MIN_ANGLE", "Smallest Angle", "The smallest of the three angles"),
+            ("MAX_ANGLE", "Largest Angle", "The largest of the three angles"),
+            ("AREA", "Area", "Area relative to the triangles around"),
+            ("SHAPE", "Shape", "Area over the squares of the edges"),
+        ],
+    )
+    keep_sizes: BoolProperty(
+        name="Keep Sizes", description="Keep the ratios of neighbouring sizes: a graded mesh stays graded"
+    )
     plane: EnumProperty(
         name="Plane", default="VECTOR_AREA", description="Plane in which the triangles around a vertex are modelled",
         items=[
@@ -91,6 +113,8 @@ class MethodSettings:
         items=[
             ("COLORS", "Colors", "In groups without common neighbours, on all threads"),
             ("INDEX", "Index", "By number, on one thread"),
+            ("WAVE", "Wave", "As a front from the border, or from the worst triangle, on one thread"),
+            ("TAIL", "Tail", "Around the worst triangles first, on one thread"),
         ],
     )
     threads: IntProperty(
@@ -162,7 +186,8 @@ def draw(operator, context):
         _draw_names(layout, operator, TailSettings.__annotations__)
     _draw_region(layout.column(), operator, context)
     _draw_features(layout, operator)
-    _draw_names(layout, operator, ["plane", "ideal", "order", "threads", "interval_width", "sample_limit"])
+    _draw_names(layout, operator, ["method", "metric", "keep_sizes", "plane", "ideal", "order", "threads"])
+    _draw_names(layout, operator, ["interval_width", "sample_limit"])
     if hasattr(operator, "tell_quality"):
         layout.prop(operator, "tell_quality")
 

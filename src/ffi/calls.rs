@@ -47,8 +47,7 @@ pub(super) struct Shrinking<T> {
 struct Checked<T> {
     mesh: MeshMemory<T>,
     options: qsm_options,
-    locks: Block,
-    edges: Block,
+    wishes: [Block; 4],
     mask: Block,
     maps: qsm_maps,
 }
@@ -63,17 +62,18 @@ impl<T: Coordinate> Checked<T> {
         let mesh = MeshMemory::check(call.positions, vertex_count, call.stride_bytes, call.indices, index_count)?;
         // SAFETY: the caller's promise, handed on.
         let (options_block, options) = unsafe { (block_of(call.options)?, read_struct(call.options)?) };
-        let [locks, edges] = options.blocks(vertex_count)?;
+        let wishes = options.blocks(vertex_count)?;
         let mask = options.mask_block(index_count / 3)?;
         // SAFETY: the caller's promise, handed on.
         let (maps_block, maps) = unsafe { (block_of(call.maps)?, read_struct(call.maps)?) };
         let [a, b, c, d] = maps.blocks(vertex_count, index_count)?;
         let written = [mesh.positions, mesh.indices, vertices, corners, maps_block, a, b, c, d];
-        let read = [options_block, locks, edges, mask];
+        let [locks, edges, seeds, visits] = wishes;
+        let read = [options_block, locks, edges, mask, seeds, visits];
         report.apart_from(&written, Blame::This)?;
         report.apart_from(&read, Blame::This)?;
         Block::all_apart(&written, &read)?;
-        Ok(Self { mesh, options, locks, edges, mask, maps })
+        Ok(Self { mesh, options, wishes, mask, maps })
     }
 }
 
@@ -112,22 +112,20 @@ unsafe fn smooth_checked<T: Coordinate>(
 ) -> Result<qsm_report, Failure> {
     // SAFETY: the caller's promise, handed on.
     let (options_block, given) = unsafe { (block_of(options)?, read_struct(options)?) };
-    let [locks, edges] = given.blocks(mesh.vertex_count)?;
-    let read = [mesh.indices, options_block, locks, edges];
+    let blocks = given.blocks(mesh.vertex_count)?;
+    let [locks, edges, seeds, visits] = blocks;
+    let read = [mesh.indices, options_block, locks, edges, seeds, visits];
     report.apart_from(&[mesh.positions], Blame::This)?;
     report.apart_from(&read, Blame::This)?;
     Block::all_apart(&[mesh.positions], &read)?;
     let settings = given.settings(!report.is_empty())?;
     // SAFETY: `blocks` and `check` have found all arrays to be addressable and aligned; the caller vouches for what is
     // there.
-    let (locked, feature_edges, triangles, mut smoothed) = unsafe {
-        let (locked, feature_edges) = read_constraints(&given, locks, edges)?;
-        (locked, feature_edges, mesh.triangles(), mesh.read_positions()?)
-    };
-    let constraints = Constraints { locked: &locked, feature_edges };
+    let (wishes, triangles, mut smoothed) =
+        unsafe { (Wishes::read(&given, blocks)?, mesh.triangles(), mesh.read_positions()?) };
     // SAFETY: the caller vouches for the callback.
     let mut progress = |done| unsafe { ask(&given, done) };
-    let done = crate::smooth(&mut smoothed, triangles, &settings, &constraints, &mut progress)?;
+    let done = crate::smooth(&mut smoothed, triangles, &settings, &wishes.constraints(), &mut progress)?;
     let report = qsm_report::from(&done);
     // SAFETY: as for reading; no reference into the caller's positions exists, and nothing else overlaps them.
     unsafe { write_positions(positions, mesh.stride, &smoothed) };
@@ -160,19 +158,18 @@ unsafe fn shrink_checked<T: Coordinate>(
     checked: &Checked<T>,
     measure: bool,
 ) -> Result<qsm_report, Failure> {
-    let Checked { mesh, options, locks, edges, mask, .. } = checked;
+    let Checked { mesh, options, wishes, mask, .. } = checked;
     let settings = options.settings(measure)?;
     // SAFETY: all arrays have been found to be addressable and aligned; the caller vouches for what is there.
-    let (locked, feature_edges, mask, mut work) = unsafe {
-        let (locked, feature_edges) = read_constraints(options, *locks, *edges)?;
+    let (wishes, mask, mut work) = unsafe {
+        let wishes = Wishes::read(options, *wishes)?;
         let mask = truths(array(options.triangle_mask, mask.elements::<u8>()))?;
         let (positions, triangles) = (mesh.read_positions()?, memory::copied(mesh.triangles())?);
-        (locked, feature_edges, mask, Work::new(positions, triangles))
+        (wishes, mask, Work::new(positions, triangles))
     };
-    let constraints = Constraints { locked: &locked, feature_edges };
     // SAFETY: the caller vouches for the callback.
     let mut progress = |done| unsafe { ask(options, done) };
-    let report = stage.run(&mut work, &settings, &options.tail(&mask)?, &constraints, &mut progress)?;
+    let report = stage.run(&mut work, &settings, &options.tail(&mask)?, &wishes.constraints(), &mut progress)?;
     let mut leftovers = memory::reserved(work.leftovers.len())?;
     leftovers.extend(work.leftovers.iter().map(qsm_leftover::from));
     assert!(work.fits(mesh.vertex_count, mesh.indices.elements::<[u32; 3]>()), "more came out than went in");
@@ -321,21 +318,33 @@ pub(super) unsafe fn triangle_quality<T: Coordinate>(
     }
 }
 
-/// Which vertices are locked, and which edges are features.
-///
-/// # Safety
-/// `locks` and `edges` are the blocks of `options`, and what is there does not change as long as the slice is used.
-unsafe fn read_constraints<'a>(
-    options: &qsm_options,
-    locks: Block,
-    edges: Block,
-) -> Result<(Vec<bool>, &'a [[u32; 2]]), Error> {
-    // SAFETY: the blocks have been found to be addressable and aligned, and the rest is the promise above.
-    let (locks, edges) = unsafe {
-        let locks = array(options.vertex_lock, locks.elements::<u8>());
-        (locks, array(options.feature_edges.cast(), edges.elements::<[u32; 2]>()))
-    };
-    Ok((truths(locks)?, edges))
+/// What the arrays of the options say: bytes copied, as they become truth values, the rest where it is.
+struct Wishes<'a> {
+    locked: Vec<bool>,
+    feature_edges: &'a [[u32; 2]],
+    seeds: Vec<bool>,
+    visits: &'a [u32],
+}
+
+impl Wishes<'_> {
+    /// # Safety
+    /// The blocks are those of `options`, and what is there does not change as long as the wishes are used.
+    unsafe fn read(options: &qsm_options, [locks, edges, seeds, visits]: [Block; 4]) -> Result<Self, Error> {
+        // SAFETY: the blocks have been found to be addressable and aligned, and the rest is the promise above.
+        unsafe {
+            Ok(Self {
+                locked: truths(array(options.vertex_lock, locks.elements::<u8>()))?,
+                feature_edges: array(options.feature_edges.cast(), edges.elements::<[u32; 2]>()),
+                seeds: truths(array(options.seeds, seeds.elements::<u8>()))?,
+                visits: array(options.visits, visits.elements::<u32>()),
+            })
+        }
+    }
+
+    fn constraints(&self) -> Constraints<'_> {
+        let Self { locked, feature_edges, seeds, visits } = self;
+        Constraints { locked, feature_edges, seeds, visits }
+    }
 }
 
 /// Bytes as truth values: any but 0 is true.

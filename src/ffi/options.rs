@@ -11,7 +11,7 @@ use super::block::Block;
 use super::status::Failure;
 use super::struct_size::Versioned;
 use crate::error::Error;
-use crate::options::{Boundary, Ideal, Options, Order, Plane};
+use crate::options::{Boundary, Ideal, Method, Metric, Options, Order, Plane};
 use crate::quality::Parameter;
 use crate::tail::TailOptions;
 
@@ -37,12 +37,43 @@ pub const QSM_BOUNDARY_FIXED: qsm_boundary = 0;
 /// They slide along the boundary; its corners stay.
 pub const QSM_BOUNDARY_SLIDE: qsm_boundary = 1;
 
-/// Order in which a sweep visits the vertices: QSM_ORDER_COLORS or QSM_ORDER_INDEX.
+/// Order in which a sweep visits the vertices: one of the constants QSM_ORDER_COLORS to QSM_ORDER_GIVEN.
 pub type qsm_order = i32;
 /// By colour, on all threads: no two vertices of one colour have a neighbour in common.
 pub const QSM_ORDER_COLORS: qsm_order = 0;
 /// By vertex index, on one thread.
 pub const QSM_ORDER_INDEX: qsm_order = 1;
+/// A front that spreads ring by ring from seeds, else from the boundary, else from the worst triangle; on one thread.
+pub const QSM_ORDER_WAVE: qsm_order = 2;
+/// Around the worst triangles first, measured again as their surroundings change, with no more visits in all than the
+/// other orders make; on one thread.
+pub const QSM_ORDER_TAIL: qsm_order = 3;
+/// The vertices of visits, one after the other, in each sweep; on one thread.
+pub const QSM_ORDER_GIVEN: qsm_order = 4;
+
+/// What the triangles around a vertex want: one of the constants QSM_METHOD_QUASI_STATISTICAL to
+/// QSM_METHOD_TANGENTIAL_LAPLACIAN.
+pub type qsm_method = i32;
+/// The mean of forms modelled from the triangles' own statistics.
+pub const QSM_METHOD_QUASI_STATISTICAL: qsm_method = 0;
+/// The mean of the ring around the vertex, wherever that is. The enclosed volume changes: for comparison.
+pub const QSM_METHOD_LAPLACIAN: qsm_method = 1;
+/// The part of the Laplacian step that leaves the enclosed volume as it is.
+pub const QSM_METHOD_TANGENTIAL_LAPLACIAN: qsm_method = 2;
+
+/// Quality parameter whose values are sampled and modelled: one of the constants QSM_METRIC_EDGE_RATIO to
+/// QSM_METRIC_SHAPE. They are other numbers than those of qsm_parameter.
+pub type qsm_metric = i32;
+/// Longest edge over shortest edge.
+pub const QSM_METRIC_EDGE_RATIO: qsm_metric = 0;
+/// Smallest angle.
+pub const QSM_METRIC_MIN_ANGLE: qsm_metric = 1;
+/// Largest angle.
+pub const QSM_METRIC_MAX_ANGLE: qsm_metric = 2;
+/// Area relative to the mean area of the triangles around the vertex.
+pub const QSM_METRIC_AREA: qsm_metric = 3;
+/// Mean ratio.
+pub const QSM_METRIC_SHAPE: qsm_metric = 4;
 
 /// Answer of the progress callback: QSM_CONTINUE or QSM_CANCEL. Any other value counts as QSM_CANCEL.
 pub type qsm_flow = i32;
@@ -68,10 +99,10 @@ pub const QSM_RADIUS_RATIO: qsm_parameter = 4;
 /// Settings of qsm_smooth_*, qsm_collapse_tails_* and qsm_improve_*. Set up with qsm_options_init, then change what
 /// you like. The library keeps no pointer out of it after the call. Everything is free of scale but max_deviation.
 ///
-/// A host that only smooths may know this struct up to user alone, with struct_size accordingly; every field that it
-/// does not know has its default then.
+/// A host that only smooths may know this struct up to user alone, one that also treats the tail up to triangle_mask,
+/// with struct_size accordingly; every field that it does not know has its default then.
 ///
-/// The fields from tail_edge_ratio on belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
+/// The fields from tail_edge_ratio to triangle_mask belong to the tail, the triangles that sweeps leave bad: qsm_smooth_* does not
 /// look at these fields, so nothing in them is an error there. The other calls check every field, iterations too where
 /// it has no meaning.
 #[repr(C)]
@@ -136,6 +167,26 @@ pub struct qsm_options {
     /// One byte a triangle, index_count / 3 in all; a triangle whose byte is 0 is never taken up as one of the tail,
     /// but may change where a neighbour is cured. NULL: every triangle may be taken up. Default NULL.
     pub triangle_mask: *const u8,
+    /// What the triangles around a vertex want. Default QSM_METHOD_QUASI_STATISTICAL.
+    pub method: qsm_method,
+    /// Quality parameter that is modelled; of no meaning for the Laplacian methods. Default QSM_METRIC_EDGE_RATIO.
+    pub metric: qsm_metric,
+    /// 1: keep the ratios of neighbouring sizes, so that a graded mesh stays graded. 0: leave them to the method.
+    /// Default 0.
+    pub keep_sizes: i32,
+    // Padding in its place would carry bytes of the library's stack to the host.
+    /// Fills up to the next pointer. Means nothing.
+    pub unused: i32,
+    /// Where the front of QSM_ORDER_WAVE starts: one byte a vertex, vertex_count in all, not 0 where it does. In parts of
+    /// the mesh without such a vertex, or if this is NULL, it starts at the boundary, or else at the worst triangle. No
+    /// other order looks at it. Default NULL.
+    pub seeds: *const u8,
+    /// The visits of one sweep in QSM_ORDER_GIVEN, as vertex numbers. Any vertex may be missing or come more than once,
+    /// and one that may not move is passed over. May be NULL if visit_count is 0. No other order looks at it.
+    /// Default NULL.
+    pub visits: *const u32,
+    /// Number of visits. No order but QSM_ORDER_GIVEN looks at it. Default 0.
+    pub visit_count: size_t,
 }
 
 impl Default for qsm_options {
@@ -168,6 +219,13 @@ impl Default for qsm_options {
             flips: i32::from(tail.flips),
             tail_operations: tail.operations.unwrap_or(0),
             triangle_mask: null(),
+            method: QSM_METHOD_QUASI_STATISTICAL,
+            metric: QSM_METRIC_EDGE_RATIO,
+            keep_sizes: i32::from(defaults.keep_sizes),
+            unused: 0,
+            seeds: null(),
+            visits: null(),
+            visit_count: 0,
         }
     }
 }
@@ -176,8 +234,8 @@ impl Versioned for qsm_options {
     const NAME: &'static CStr = c"options";
     // Up to the tail: all that a host which only smooths has to know.
     const FIRST_SIZE: usize = offset_of!(Self, user) + size_of::<*mut c_void>();
-    const LATER_SIZES: &'static [usize] = &[Self::INIT_SIZE];
-    const INIT_SIZE: usize = offset_of!(Self, triangle_mask) + size_of::<*const u8>();
+    const LATER_SIZES: &'static [usize] = &[offset_of!(Self, triangle_mask) + size_of::<*const u8>(), Self::INIT_SIZE];
+    const INIT_SIZE: usize = offset_of!(Self, visit_count) + size_of::<size_t>();
 }
 
 impl qsm_options {
@@ -186,6 +244,9 @@ impl qsm_options {
         let unknown = |name, value| Error::BadOption { name, value: f64::from(value) };
         Ok(Options {
             iterations: self.iterations,
+            method: method(self.method).ok_or(unknown("method", self.method))?,
+            metric: metric(self.metric).ok_or(unknown("metric", self.metric))?,
+            keep_sizes: switch("keep_sizes", self.keep_sizes)?,
             relaxation: self.relaxation,
             plane: plane(self.plane).ok_or(unknown("plane", self.plane))?,
             ideal: ideal(self.ideal).ok_or(unknown("ideal", self.ideal))?,
@@ -222,13 +283,18 @@ impl qsm_options {
         Block::array(c"triangle_mask", self.triangle_mask, c"index_count", count)
     }
 
-    /// The memory that the options point to: locks, then feature edges.
-    pub(super) fn blocks(&self, vertex_count: usize) -> Result<[Block; 2], Failure> {
-        let locks = if self.vertex_lock.is_null() { 0 } else { vertex_count };
+    /// The memory that the options point to: locks, feature edges, seeds, visits. What the order does not look at counts
+    /// as none.
+    pub(super) fn blocks(&self, vertex_count: usize) -> Result<[Block; 4], Failure> {
+        let of_vertices = |bytes: *const u8| if bytes.is_null() { 0 } else { vertex_count };
         let pairs = self.feature_edges.cast::<[u32; 2]>();
+        let seeds = if self.order == QSM_ORDER_WAVE { of_vertices(self.seeds) } else { 0 };
+        let visits = if self.order == QSM_ORDER_GIVEN { self.visit_count } else { 0 };
         Ok([
-            Block::array(c"vertex_lock", self.vertex_lock, c"vertex_count", locks)?,
+            Block::array(c"vertex_lock", self.vertex_lock, c"vertex_count", of_vertices(self.vertex_lock))?,
             Block::array(c"feature_edges", pairs, c"feature_edge_count", self.feature_edge_count)?,
+            Block::array(c"seeds", self.seeds, c"vertex_count", seeds)?,
+            Block::array(c"visits", self.visits, c"visit_count", visits)?,
         ])
     }
 }
@@ -261,6 +327,29 @@ fn order(value: qsm_order) -> Option<Order> {
     match value {
         QSM_ORDER_COLORS => Some(Order::Colors),
         QSM_ORDER_INDEX => Some(Order::Index),
+        QSM_ORDER_WAVE => Some(Order::Wave),
+        QSM_ORDER_TAIL => Some(Order::Tail),
+        QSM_ORDER_GIVEN => Some(Order::Given),
+        _ => None,
+    }
+}
+
+fn method(value: qsm_method) -> Option<Method> {
+    match value {
+        QSM_METHOD_QUASI_STATISTICAL => Some(Method::QuasiStatistical),
+        QSM_METHOD_LAPLACIAN => Some(Method::Laplacian),
+        QSM_METHOD_TANGENTIAL_LAPLACIAN => Some(Method::TangentialLaplacian),
+        _ => None,
+    }
+}
+
+fn metric(value: qsm_metric) -> Option<Metric> {
+    match value {
+        QSM_METRIC_EDGE_RATIO => Some(Metric::EdgeRatio),
+        QSM_METRIC_MIN_ANGLE => Some(Metric::MinAngle),
+        QSM_METRIC_MAX_ANGLE => Some(Metric::MaxAngle),
+        QSM_METRIC_AREA => Some(Metric::Area),
+        QSM_METRIC_SHAPE => Some(Metric::Shape),
         _ => None,
     }
 }
@@ -348,9 +437,43 @@ mod tests {
         assert_eq!(settings.ideal, Ideal::Equilateral);
         assert_eq!(settings.boundary, Boundary::Slide);
         assert_eq!((settings.order, settings.threads), (Order::Index, 3));
+        let with = |order, method, metric, keep_sizes| {
+            let given = qsm_options { order, method, metric, keep_sizes, ..Default::default() };
+            given.settings(true).map(|s| (s.order, s.method, s.metric, s.keep_sizes))
+        };
+        let orders = [Order::Colors, Order::Index, Order::Wave, Order::Tail, Order::Given];
+        for (value, order) in (0..).zip(orders) {
+            assert_eq!(with(value, 0, 0, 0).unwrap().0, order);
+        }
+        for (value, method) in (0..).zip([Method::QuasiStatistical, Method::Laplacian, Method::TangentialLaplacian]) {
+            assert_eq!(with(0, value, 0, 0).unwrap().1, method);
+        }
+        let metrics = [Metric::EdgeRatio, Metric::MinAngle, Metric::MaxAngle, Metric::Area, Metric::Shape];
+        for (value, metric) in (0..).zip(metrics) {
+            assert_eq!(with(0, 0, value, 1).unwrap(), (Order::Colors, Method::QuasiStatistical, metric, true));
+        }
         for (value, expected) in (0..).zip(Parameter::ALL) {
             assert_eq!(parameter(value), Ok(expected));
         }
+    }
+
+    #[test]
+    fn arrays_that_the_order_does_not_look_at_count_as_none() {
+        let (seeds, visits) = ([1_u8; 3], [0_u32; 5]);
+        let counts = |order| {
+            let given = qsm_options {
+                order,
+                seeds: seeds.as_ptr(),
+                visits: visits.as_ptr(),
+                visit_count: visits.len(),
+                ..Default::default()
+            };
+            let [_, _, seeds, visits] = given.blocks(3).unwrap();
+            [seeds.elements::<u8>(), visits.elements::<u32>()]
+        };
+        assert_eq!([QSM_ORDER_INDEX, QSM_ORDER_WAVE, QSM_ORDER_GIVEN].map(counts), [[0, 0], [3, 0], [0, 5]]);
+        let missing = qsm_options { order: QSM_ORDER_GIVEN, visit_count: 1, ..Default::default() };
+        assert_eq!(missing.blocks(3).unwrap_err().name, Some(c"visits"));
     }
 
     #[test]

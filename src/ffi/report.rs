@@ -101,7 +101,7 @@ pub struct qsm_kept {
     pub guard: size_t,
     /// Every move that was tried would have passed max_deviation.
     pub deviation: size_t,
-    /// Already in place.
+    /// Already in place, or not visited in the order that was chosen.
     pub settled: size_t,
 }
 

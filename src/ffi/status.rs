@@ -6,7 +6,7 @@ use std::ffi::CStr;
 
 use crate::error::Error;
 
-/// Result of a call: one of the constants QSM_OK to QSM_PANIC. Their values never change.
+/// Result of a call: one of the constants QSM_OK to QSM_VISIT_OUT_OF_RANGE. Their values never change.
 pub type qsm_status = i32;
 
 /// Success.
@@ -39,9 +39,11 @@ pub const QSM_CANCELLED: qsm_status = 12;
 pub const QSM_OUT_OF_MEMORY: qsm_status = 13;
 /// Defect of the library. A message stands on the standard error stream.
 pub const QSM_PANIC: qsm_status = 14;
+/// An entry of visits names a vertex that does not exist.
+pub const QSM_VISIT_OUT_OF_RANGE: qsm_status = 15;
 
 /// The text of each status, at its value.
-const STRINGS: [&CStr; 15] = [
+const STRINGS: [&CStr; 16] = [
     c"success",
     c"a required pointer is NULL",
     c"struct_size is not that of a known version",
@@ -57,6 +59,7 @@ const STRINGS: [&CStr; 15] = [
     c"cancelled by the progress callback",
     c"working memory could not be had",
     c"internal error",
+    c"a visit names a vertex that does not exist",
 ];
 
 /// Text for any number, known or not.
@@ -68,7 +71,7 @@ pub(super) fn text(status: qsm_status) -> &'static CStr {
 #[derive(Debug)]
 pub(super) struct Failure {
     pub status: qsm_status,
-    /// Number of the first vertex, triangle or edge at fault.
+    /// Number of the first vertex, triangle, edge or visit at fault.
     pub offender: Option<usize>,
     /// Argument or option at fault.
     pub name: Option<&'static CStr>,
@@ -101,6 +104,8 @@ impl From<Error> for Failure {
             Error::FeatureEdgeOutOfRange { edge, .. } => {
                 (QSM_FEATURE_EDGE_OUT_OF_RANGE, Some(edge), Some(c"feature_edges"))
             }
+            Error::SeedLength { .. } => (QSM_BAD_OPTION, None, Some(c"seeds")),
+            Error::VisitOutOfRange { visit, .. } => (QSM_VISIT_OUT_OF_RANGE, Some(visit), Some(c"visits")),
             Error::TooLarge { .. } => (QSM_COUNT_OVERFLOW, None, None),
             Error::Cancelled => (QSM_CANCELLED, None, Some(c"progress")),
             Error::OutOfMemory { .. } => (QSM_OUT_OF_MEMORY, None, None),
@@ -111,11 +116,13 @@ impl From<Error> for Failure {
 
 /// The name of an option as a C string that lives for ever.
 fn c_name(name: &str) -> Option<&'static CStr> {
-    const NAMES: [&CStr; 15] = [
+    const NAMES: [&CStr; 20] = [
         c"iterations",
         c"plane",
         c"ideal",
         c"boundary",
+        c"order",
+        c"threads",
         c"relaxation",
         c"interval_width",
         c"sample_limit",
@@ -127,6 +134,9 @@ fn c_name(name: &str) -> Option<&'static CStr> {
         c"tail_max_angle",
         c"tail_attempts",
         c"flips",
+        c"method",
+        c"metric",
+        c"keep_sizes",
     ];
     NAMES.into_iter().find(|known| known.to_bytes() == name.as_bytes())
 }
@@ -139,7 +149,8 @@ mod tests {
     fn every_number_has_a_text() {
         assert_eq!(text(QSM_OK), c"success");
         assert_eq!(text(QSM_PANIC), c"internal error");
-        for unknown in [-1, QSM_PANIC + 1, i32::MAX, i32::MIN] {
+        assert_eq!(text(QSM_VISIT_OUT_OF_RANGE), c"a visit names a vertex that does not exist");
+        for unknown in [-1, QSM_VISIT_OUT_OF_RANGE + 1, i32::MAX, i32::MIN] {
             assert_eq!(text(unknown), c"unknown status");
         }
     }

@@ -9,7 +9,7 @@ use super::outcome::Outcomes;
 use super::places::Places;
 use super::schedule::{BLOCK, Schedule};
 use super::task::Task;
-use super::visit::{Surroundings, TOGETHER, Tally};
+use super::visit::{LoneVisitor, Surroundings, TOGETHER, Tally};
 use crate::error::Error;
 use crate::progress::{self, Progress};
 use crate::threads::Threads;
@@ -70,7 +70,12 @@ impl Sweeps<'_> {
             let tasks: Vec<_> = vertices[color].chunks(TASK).map(Task::Apart).collect();
             self.at_once(tell, &tasks)?;
         }
-        self.at_once(tell, &[Task::InOrder(&vertices[colors.last().copied().unwrap_or(inner)..])])
+        let mut visitor = LoneVisitor::new(self.around);
+        let rest = &vertices[colors.last().copied().unwrap_or(inner)..];
+        rest.iter().for_each(|&v| visitor.visit(v, self.places, self.outcomes));
+        self.tally += visitor.tally;
+        self.visited += rest.len();
+        Ok(())
     }
 
     /// Carries out tasks that don't wait for each other.

@@ -1,18 +1,23 @@
 //! Sweeps: which stars are visited in which order, and what a visit does.
 
 mod color_order;
+mod given_order;
+mod in_turn;
 mod index_order;
+mod neighbours;
 mod outcome;
 mod places;
 mod schedule;
 mod slide;
+mod tail_order;
 mod task;
 mod visit;
+mod wave_order;
 
 use glam::DVec3;
 
 use crate::error::Error;
-use crate::options::Order;
+use crate::options::{Constraints, Options, Order};
 use crate::progress::Progress;
 use crate::threads::Threads;
 
@@ -21,18 +26,23 @@ use places::Places;
 pub(crate) use slide::direction;
 pub(crate) use visit::{Surroundings, Tally, volume_neutral};
 
-/// Positions after `iterations` sweeps, and what the visits came to.
+/// Positions after the sweeps that `options` ask for, and what the visits came to.
 pub(crate) fn run(
     around: &Surroundings<'_>,
     outcomes: &Outcomes,
-    (order, iterations): (Order, u32),
+    options: &Options,
+    constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<(Vec<DVec3>, Tally), Error> {
     let places = Places::new(&around.mesh.positions)?;
-    let tally = match order {
+    let iterations = options.iterations;
+    let tally = match options.order {
         Order::Colors => color_order::run(around, &places, outcomes, iterations, threads, progress)?,
         Order::Index => index_order::run(around, &places, outcomes, iterations, progress)?,
+        Order::Wave => wave_order::run(around, &places, outcomes, (constraints.seeds, iterations), progress)?,
+        Order::Tail => tail_order::run(around, &places, outcomes, iterations, progress)?,
+        Order::Given => given_order::run(around, &places, outcomes, (constraints.visits, iterations), progress)?,
     };
     Ok((places.into_positions(), tally))
 }

@@ -1,4 +1,4 @@
-//! Stars that one thread visits, and the only place where the instruction set is chosen.
+//! Independent stars that one thread visits.
 
 use std::ops::Range;
 
@@ -16,8 +16,6 @@ pub(super) enum Task<'a> {
     SideBySide { vertices: &'a [u32], parts: &'a [Range<usize>] },
     /// Vertices no two of which are neighbours.
     Apart(&'a [u32]),
-    /// Vertices one after the other.
-    InOrder(&'a [u32]),
 }
 
 impl Task<'_> {
@@ -25,7 +23,7 @@ impl Task<'_> {
     pub fn size(&self) -> usize {
         match self {
             Self::SideBySide { parts, .. } => parts.iter().map(ExactSizeIterator::len).sum(),
-            Self::Apart(vertices) | Self::InOrder(vertices) => vertices.len(),
+            Self::Apart(vertices) => vertices.len(),
         }
     }
 
@@ -41,7 +39,7 @@ impl Task<'_> {
                 }
                 visitor.visit(&together[..count], places, outcomes);
             }
-            visitor.tally
+            visitor.tally()
         })
     }
 
@@ -58,7 +56,6 @@ impl Task<'_> {
                 return count;
             }
             Self::Apart(vertices) => &vertices[(turn * TOGETHER).min(vertices.len())..],
-            Self::InOrder(vertices) => &vertices[turn.min(vertices.len())..][..usize::from(turn < vertices.len())],
         };
         let count = next.len().min(TOGETHER);
         together[..count].copy_from_slice(&next[..count]);

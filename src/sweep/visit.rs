@@ -2,7 +2,7 @@
 
 use std::iter::Sum;
 
-use fearless_simd::{Simd, dispatch, f64x8};
+use fearless_simd::{Level, Simd, dispatch, f64x8};
 use glam::DVec3;
 
 use super::outcome::{Outcome, Outcomes};
@@ -111,14 +111,27 @@ pub(crate) struct Visitor<'a, S: Simd> {
     around: &'a Surroundings<'a>,
     token: S,
     together: Visit<f64x8<S>>,
-    alone: Visit<f64>,
+    alone: LoneVisitor<'a>,
+    tally: Tally,
+}
+
+/// Visits stars one by one.
+pub(crate) struct LoneVisitor<'a> {
+    around: &'a Surroundings<'a>,
+    level: Level,
+    visit: Visit<f64>,
     pub tally: Tally,
 }
 
 impl<'a, S: Simd> Visitor<'a, S> {
     pub fn new(token: S, around: &'a Surroundings<'a>) -> Self {
-        let (together, alone) = (Visit::new(around.floor), Visit::new(around.floor));
+        let (together, alone) = (Visit::new(around.floor), LoneVisitor::new(around));
         Self { around, token, together, alone, tally: Tally::default() }
+    }
+
+    /// What has come of all visits.
+    pub fn tally(&self) -> Tally {
+        [self.tally, self.alone.tally].into_iter().sum()
     }
 
     /// Visits `vertices`, at most [`TOGETHER`], no two of which are neighbours and all of which have a role that lets them
@@ -129,7 +142,7 @@ impl<'a, S: Simd> Visitor<'a, S> {
         let count = self.companions(vertices, &mut companions, places, outcomes);
         for company in companions[..count].chunks(LANES) {
             if company.len() < COMPANY {
-                company.iter().for_each(|&v| self.visit_alone(v, places, outcomes));
+                company.iter().for_each(|&v| self.alone.visit(v, places, outcomes));
             } else {
                 let mut vertices = [company[0]; LANES];
                 vertices[..company.len()].copy_from_slice(company);
@@ -154,7 +167,7 @@ impl<'a, S: Simd> Visitor<'a, S> {
         for &v in vertices {
             let valence = self.around.stars.rim(v).len() - 1;
             if valence > COMPANIONABLE || !self.around.features.role(v).moves_in_plane() {
-                self.visit_alone(v, places, outcomes);
+                self.alone.visit(v, places, outcomes);
                 continue;
             }
             // Written to both and counted for one: which one it is cannot be foreseen.
@@ -165,19 +178,26 @@ impl<'a, S: Simd> Visitor<'a, S> {
         companions[count..][..larges].copy_from_slice(&large[..larges]);
         count + larges
     }
+}
 
-    /// Visits one vertex. The machine code stands here once, for whoever calls it.
+impl<'a> LoneVisitor<'a> {
+    pub fn new(around: &'a Surroundings<'a>) -> Self {
+        Self { around, level: Level::new(), visit: Visit::new(around.floor), tally: Tally::default() }
+    }
+
+    /// Visits a vertex whose role lets it move, and notes the outcome. The machine code stands here once, for whoever calls
+    /// it.
     #[inline(never)]
-    fn visit_alone(&mut self, v: u32, places: &Places, outcomes: &Outcomes) {
-        let Self { around, alone, tally, .. } = self;
+    pub fn visit(&mut self, v: u32, places: &Places, outcomes: &Outcomes) {
+        let Self { around, level, visit, tally } = self;
         let Surroundings { stars, features, .. } = around;
-        dispatch!(self.token.level(), _simd => {
+        dispatch!(*level, _simd => {
             let site = around.site(places);
             match features.role(v) {
-                Role::Crease => alone.stars.take_crease(stars, site, v, features.crease_ends(stars, v)),
-                _ => alone.stars.take((), stars, site, &[v]),
+                Role::Crease => visit.stars.take_crease(stars, site, v, features.crease_ends(stars, v)),
+                _ => visit.stars.take((), stars, site, &[v]),
             }
-            *tally += alone.visit((), around, (&[v], 1), places, outcomes);
+            *tally += visit.visit((), around, (&[v], 1), places, outcomes);
         });
     }
 }

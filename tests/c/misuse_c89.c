@@ -73,6 +73,10 @@ static void null_pointers(void)
     REFUSED(SMOOTH(positions, TORUS_VERTICES, 12, NULL, TORUS_INDICES), QSM_NULL_POINTER, "indices");
     options.feature_edge_count = 1;
     REFUSED(WHOLE(), QSM_NULL_POINTER, "feature_edges");
+    fresh();
+    options.order = QSM_ORDER_GIVEN;
+    options.visit_count = 1;
+    REFUSED(WHOLE(), QSM_NULL_POINTER, "visits");
 }
 
 static void bad_shapes_of_buffers(void)
@@ -102,6 +106,11 @@ static void counts_beyond_memory(void)
     options.feature_edges = indices;
     options.feature_edge_count = most;
     REFUSED(WHOLE(), QSM_COUNT_OVERFLOW, "feature_edge_count");
+    fresh();
+    options.order = QSM_ORDER_GIVEN;
+    options.visits = indices;
+    options.visit_count = most;
+    REFUSED(WHOLE(), QSM_COUNT_OVERFLOW, "visit_count");
 }
 
 static void bad_elements(void)
@@ -121,6 +130,25 @@ static void bad_elements(void)
     options.feature_edges = edges;
     options.feature_edge_count = 2;
     REFUSED_AT(WHOLE(), QSM_FEATURE_EDGE_OUT_OF_RANGE, "feature_edges", 1);
+    fresh();
+    options.order = QSM_ORDER_GIVEN;
+    options.visits = edges;
+    options.visit_count = 4;
+    REFUSED_AT(WHOLE(), QSM_VISIT_OUT_OF_RANGE, "visits", 3);
+}
+
+/* What the order does not look at may be anything. */
+static void unread_arrays(void)
+{
+    qsm_order order;
+    for (order = QSM_ORDER_COLORS; order <= QSM_ORDER_TAIL; order++) {
+        fresh();
+        options.order = order;
+        options.seeds = order == QSM_ORDER_WAVE ? NULL : (const uint8_t *)positions;
+        options.visits = indices;
+        options.visit_count = (size_t)-1;
+        CHECK(WHOLE() == QSM_OK);
+    }
 }
 
 #define BAD_OPTION(field, value)                 \
@@ -138,6 +166,15 @@ static void bad_options(void)
     BAD_OPTION(ideal, -2147483647);
     BAD_OPTION(boundary, 2);
     BAD_OPTION(boundary, 2147483647);
+    BAD_OPTION(order, 5);
+    BAD_OPTION(order, -1);
+    BAD_OPTION(method, 3);
+    BAD_OPTION(method, -1);
+    BAD_OPTION(metric, 5);
+    BAD_OPTION(metric, -1);
+    BAD_OPTION(keep_sizes, 2);
+    BAD_OPTION(keep_sizes, -1);
+    BAD_OPTION(threads, 1025);
     BAD_OPTION(iterations, 10001);
     BAD_OPTION(relaxation, 0.0);
     BAD_OPTION(relaxation, 2.5);
@@ -194,6 +231,15 @@ static void overlaps(void)
     options.feature_edges = inside;
     options.feature_edge_count = 1;
     REFUSED(WHOLE(), QSM_OVERLAP, "feature_edges");
+    fresh();
+    options.order = QSM_ORDER_WAVE;
+    options.seeds = (uint8_t *)(positions + 2 * TORUS_VERTICES);
+    REFUSED(WHOLE(), QSM_OVERLAP, "seeds");
+    fresh();
+    options.order = QSM_ORDER_GIVEN;
+    options.visits = inside;
+    options.visit_count = 1;
+    REFUSED(WHOLE(), QSM_OVERLAP, "visits");
     CHECK(with_report_in(exact) == QSM_OVERLAP);
     CHECK(buffers_are_as_before());
     CHECK(with_report_in(indices) == QSM_OVERLAP);
@@ -304,6 +350,7 @@ int main(void)
     bad_shapes_of_buffers();
     counts_beyond_memory();
     bad_elements();
+    unread_arrays();
     bad_options();
     bad_struct_sizes();
     overlaps();

@@ -101,6 +101,9 @@ static void init_functions_set_sizes(void)
     CHECK(options.vertex_lock == NULL);
     CHECK(options.feature_edges == NULL && options.feature_edge_count == 0);
     CHECK(options.progress == NULL);
+    CHECK(options.method == QSM_METHOD_QUASI_STATISTICAL && options.metric == QSM_METRIC_EDGE_RATIO);
+    CHECK(options.order == QSM_ORDER_COLORS && options.keep_sizes == 0);
+    CHECK(options.seeds == NULL && options.visits == NULL && options.visit_count == 0);
     qsm_options_init(NULL);
     qsm_report_init(NULL);
     qsm_measurement_init(NULL);
@@ -202,6 +205,93 @@ static void options_reach_the_library(void)
     options.max_deviation = 1e-3;
     CHECK(qsm_smooth_f64(exact, TORUS_VERTICES, 24, indices, TORUS_INDICES, &options, &report) == QSM_OK);
     CHECK(report.max_deviation > 0.0 && report.max_deviation <= 1e-3);
+}
+
+/* The torus after a call with these options. */
+static const double *smoothed(const qsm_options *options)
+{
+    start();
+    CHECK(qsm_smooth_f64(exact, TORUS_VERTICES, 24, indices, TORUS_INDICES, options, NULL) == QSM_OK);
+    return exact;
+}
+
+static void each_order_has_a_result_of_its_own(void)
+{
+    static double results[5][3 * TORUS_VERTICES];
+    static uint32_t backwards[TORUS_VERTICES];
+    qsm_options options;
+    size_t i, k;
+    for (i = 0; i < TORUS_VERTICES; i++) {
+        backwards[i] = (uint32_t)(TORUS_VERTICES - 1 - i);
+    }
+    qsm_options_init(&options);
+    options.visits = backwards;
+    options.visit_count = TORUS_VERTICES;
+    for (i = 0; i < 5; i++) {
+        options.order = QSM_ORDER_COLORS + (qsm_order)i;
+        memcpy(results[i], smoothed(&options), sizeof exact);
+        for (k = 0; k < i; k++) {
+            CHECK(memcmp(results[i], results[k], sizeof exact) != 0);
+        }
+    }
+}
+
+static void visits_are_made_in_their_order(void)
+{
+    static const uint32_t some[] = {5, 90, 5, 17};
+    static double by_index[3 * TORUS_VERTICES];
+    static uint32_t all[TORUS_VERTICES];
+    qsm_options options;
+    size_t v;
+    for (v = 0; v < TORUS_VERTICES; v++) {
+        all[v] = (uint32_t)v;
+    }
+    qsm_options_init(&options);
+    options.order = QSM_ORDER_INDEX;
+    memcpy(by_index, smoothed(&options), sizeof exact);
+    options.order = QSM_ORDER_GIVEN;
+    options.visits = all;
+    options.visit_count = TORUS_VERTICES;
+    CHECK(memcmp(smoothed(&options), by_index, sizeof exact) == 0);
+    options.visits = some;
+    options.visit_count = 4;
+    memcpy(by_index, exact, sizeof exact);
+    torus(by_index, indices_before);
+    smoothed(&options);
+    for (v = 0; v < TORUS_VERTICES; v++) {
+        CHECK((memcmp(exact + 3 * v, by_index + 3 * v, 24) != 0) == (v == 5 || v == 17 || v == 90));
+    }
+}
+
+static void a_front_starts_at_the_seeds(void)
+{
+    static uint8_t seeds[TORUS_VERTICES];
+    static double from_the_worst[3 * TORUS_VERTICES];
+    qsm_options options;
+    qsm_options_init(&options);
+    options.order = QSM_ORDER_WAVE;
+    memcpy(from_the_worst, smoothed(&options), sizeof exact);
+    options.seeds = seeds;
+    CHECK(memcmp(smoothed(&options), from_the_worst, sizeof exact) == 0);
+    seeds[TORUS_VERTICES / 2] = 255;
+    CHECK(memcmp(smoothed(&options), from_the_worst, sizeof exact) != 0);
+}
+
+static void every_method_but_one_keeps_the_volume(void)
+{
+    qsm_options options;
+    double volume;
+    start();
+    volume = torus_volume(exact, indices);
+    qsm_options_init(&options);
+    for (options.method = 0; options.method <= QSM_METHOD_TANGENTIAL_LAPLACIAN; options.method++) {
+        for (options.metric = 0; options.metric <= QSM_METRIC_SHAPE; options.metric++) {
+            if (options.method != QSM_METHOD_LAPLACIAN) {
+                options.keep_sizes = options.metric % 2;
+                CHECK(fabs(torus_volume(smoothed(&options), indices) - volume) <= 1e-12 * volume);
+            }
+        }
+    }
 }
 
 /* Constants may lie in memory that cannot be written: a vertex that does not move is only read. */
@@ -315,7 +405,8 @@ static void texts(void)
     CHECK(strcmp(qsm_status_string(QSM_OK), "success") == 0);
     CHECK(strcmp(qsm_status_string(QSM_PANIC), "internal error") == 0);
     CHECK(strcmp(qsm_status_string(-1), "unknown status") == 0);
-    CHECK(strcmp(qsm_status_string(QSM_PANIC + 1), "unknown status") == 0);
+    CHECK(strcmp(qsm_status_string(QSM_VISIT_OUT_OF_RANGE), "a visit names a vertex that does not exist") == 0);
+    CHECK(strcmp(qsm_status_string(QSM_VISIT_OUT_OF_RANGE + 1), "unknown status") == 0);
 }
 
 int main(void)
@@ -327,6 +418,10 @@ int main(void)
     locked_vertices_keep_their_bits();
     marked_edges_are_features();
     options_reach_the_library();
+    each_order_has_a_result_of_its_own();
+    visits_are_made_in_their_order();
+    a_front_starts_at_the_seeds();
+    every_method_but_one_keeps_the_volume();
     vertices_that_stay_are_not_written();
     progress_rises_from_0_to_1();
     measuring_agrees_with_the_report();

@@ -143,3 +143,42 @@ pub fn folded((positions, triangles): &Mesh) -> Vec<usize> {
     let opposed = |t: &[u32; 3]| t.iter().all(|&v| dot(sums[v as usize], normal(positions, t)) < 0.0);
     (0..triangles.len()).filter(|&t| opposed(&triangles[t])).collect()
 }
+
+/// Distance from a point to a mesh, by trying every triangle.
+pub fn distance(point: [f64; 3], mesh: &Mesh) -> f64 {
+    let sub = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    let to_segment = |a: [f64; 3], b: [f64; 3]| {
+        let (along, to) = (sub(b, a), sub(point, a));
+        let t = (dot(to, along) / dot(along, along)).clamp(0.0, 1.0);
+        let foot = sub(to, along.map(|x| x * t));
+        dot(foot, foot).sqrt()
+    };
+    let to_triangle = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| mesh.0[v as usize]);
+        let upright = normal(&mesh.0, t);
+        let square = dot(upright, upright);
+        let height = dot(sub(point, a), upright) / square;
+        let foot = sub(point, upright.map(|x| x * height));
+        let inside = [(a, b), (b, c), (c, a)].iter().all(|&(p, q)| {
+            let corner = [p, q, foot];
+            dot(normal(&corner, &[0, 1, 2]), upright) >= 0.0
+        });
+        if inside { height.abs() * square.sqrt() } else { to_segment(a, b).min(to_segment(b, c)).min(to_segment(c, a)) }
+    };
+    mesh.1.iter().map(to_triangle).fold(f64::INFINITY, f64::min)
+}
+
+/// Mean-ratio shape of a triangle, from positions alone.
+pub fn shape(positions: &[[f64; 3]], triangle: &[u32; 3]) -> f64 {
+    let upright = normal(positions, triangle);
+    let [a, b, c] = triangle.map(|v| positions[v as usize]);
+    let square = |p: [f64; 3], q: [f64; 3]| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>();
+    let sum = square(a, b) + square(b, c) + square(c, a);
+    if sum > 0.0 { 12.0_f64.sqrt() * dot(upright, upright).sqrt() / sum } else { 0.0 }
+}
+
+/// Enclosed volume of a closed mesh.
+pub fn volume((positions, triangles): &Mesh) -> f64 {
+    let six = |t: &[u32; 3]| dot(positions[t[0] as usize], normal(positions, t));
+    triangles.iter().map(six).sum::<f64>() / 6.0
+}

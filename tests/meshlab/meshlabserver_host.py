@@ -15,6 +15,9 @@ _SMOOTH_OPTIONS = {
     'relaxation': ('RichFloat', 1.2),
     'plane': ('RichEnum', 0),
     'ideal': ('RichEnum', 0),
+    'method': ('RichEnum', 0),
+    'metric': ('RichEnum', 0),
+    'keep_sizes': ('RichBool', False),
     'features': ('RichBool', True),
     'feature_angle': ('RichFloat', 30.0),
     'max_deviation': ('RichAbsPerc', 0.0),
@@ -46,7 +49,7 @@ _OPTIONS = {
 }
 
 _EXTRA = {
-    'RichEnum': ' enum_cardinality="2" enum_val0="" enum_val1=""',
+    'RichEnum': ' enum_cardinality="5" enum_val0="" enum_val1="" enum_val2="" enum_val3="" enum_val4=""',
     'RichAbsPerc': ' min="0" max="1"',
 }
 

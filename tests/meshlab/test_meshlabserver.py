@@ -64,6 +64,10 @@ class Command(Case):
     def test_smoothing(self):
         self.compare('smooth', SMOOTH, {}, [])
 
+    def test_metric_sizes_and_order(self):
+        self.compare('smooth', SMOOTH, {'metric': 4, 'keep_sizes': True, 'order': 3},
+                     ['--metric', 'shape', '--keep-sizes', '--order', 'tail'])
+
     def test_improvement(self):
         log = self.compare('improve', IMPROVE, {'tail_min_angle': 30.0, 'tail_max_angle': 115.0, 'relaxation': 1.6},
                            ['--tail-min-angle', '30', '--tail-max-angle', '115', '--relaxation', '1.6'])

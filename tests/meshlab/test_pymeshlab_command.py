@@ -19,6 +19,9 @@ SAME = {
           '--threads', '1']),
         ({'max_deviation': layer_value(0.0001), 'quality_floor': 0.3, 'interval_width': 0.7, 'sample_limit': 2.3},
          ['--max-deviation', '0.0001', '--quality-floor', '0.3', '--interval-width', '0.7', '--sample-limit', '2.3']),
+        ({'metric': 'shape', 'keep_sizes': True, 'order': 'tail'},
+         ['--metric', 'shape', '--keep-sizes', '--order', 'tail']),
+        ({'method': 'tangential laplacian', 'order': 'wave'}, ['--method', 'tangential-laplacian', '--order', 'wave']),
     ],
     IMPROVE: [
         ({}, []),

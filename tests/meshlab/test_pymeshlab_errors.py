@@ -72,7 +72,7 @@ class Options(Case):
                     self.assertRefused(message, layer_of(*meshes.grid(4)), name, **{option: value})
 
     def test_an_unknown_choice_is_refused_by_the_host(self):
-        for option in ('plane', 'ideal', 'boundary', 'order'):
+        for option in ('plane', 'ideal', 'boundary', 'order', 'method', 'metric'):
             with self.assertRaises(Exception):
                 layer_of(*meshes.grid(4)).apply_filter(SMOOTH, **{option: 'nonsense'})
 

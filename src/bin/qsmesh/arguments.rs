@@ -166,6 +166,18 @@ pub struct MethodArguments {
     #[arg(long, value_enum, default_value_t = Boundary::Fixed)]
     pub boundary: Boundary,
 
+    /// What a star of triangles wants.
+    #[arg(long, value_enum, default_value_t = Method::QuasiStatistical)]
+    pub method: Method,
+
+    /// Quality parameter whose values are sampled and modelled.
+    #[arg(long, value_enum, default_value_t = Metric::EdgeRatio)]
+    pub metric: Metric,
+
+    /// Keep the ratios of neighbouring sizes, so that a graded mesh stays graded.
+    #[arg(long)]
+    pub keep_sizes: bool,
+
     /// Order in which a sweep visits the vertices.
     #[arg(long, value_enum, default_value_t = Order::Colors)]
     pub order: Order,
@@ -180,7 +192,7 @@ pub struct MethodArguments {
     pub max_deviation: Option<Distance>,
 
     /// Interval width of the sampling histogram, in units of edge ratio. Range 0.001 to 1000.
-    #[arg(long, value_name = "W", default_value_t = Options::default().interval_width)]
+    #[arg(long, visible_alias = "interval", value_name = "W", default_value_t = Options::default().interval_width)]
     pub interval_width: f64,
 
     /// Edge ratio above which a sample counts as this one. Range from 1.
@@ -248,6 +260,37 @@ pub enum Order {
     Colors,
     /// By vertex index, on one thread.
     Index,
+    /// A front that spreads ring by ring from the boundary, or from the worst triangle; on one thread.
+    Wave,
+    /// The stars of the worst triangles first; on one thread.
+    Tail,
+}
+
+/// `--method`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// The mean of forms modelled from the star's own statistics.
+    QuasiStatistical,
+    /// The mean of the ring. The enclosed volume changes: for comparison.
+    Laplacian,
+    /// The part of the Laplacian step that keeps the volume.
+    TangentialLaplacian,
+}
+
+/// `--metric`, by the names that measurements use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+pub enum Metric {
+    /// Longest over shortest edge.
+    EdgeRatio,
+    /// Smallest angle.
+    MinAngle,
+    /// Largest angle.
+    MaxAngle,
+    /// Area relative to the mean of the star.
+    Area,
+    /// Mean ratio.
+    Shape,
 }
 
 /// `--feature-angle`: degrees, or `None` for `off`.
@@ -334,7 +377,22 @@ impl MethodArguments {
             order: match self.order {
                 Order::Colors => qsmesh::Order::Colors,
                 Order::Index => qsmesh::Order::Index,
+                Order::Wave => qsmesh::Order::Wave,
+                Order::Tail => qsmesh::Order::Tail,
             },
+            method: match self.method {
+                Method::QuasiStatistical => qsmesh::Method::QuasiStatistical,
+                Method::Laplacian => qsmesh::Method::Laplacian,
+                Method::TangentialLaplacian => qsmesh::Method::TangentialLaplacian,
+            },
+            metric: match self.metric {
+                Metric::EdgeRatio => qsmesh::Metric::EdgeRatio,
+                Metric::MinAngle => qsmesh::Metric::MinAngle,
+                Metric::MaxAngle => qsmesh::Metric::MaxAngle,
+                Metric::Area => qsmesh::Metric::Area,
+                Metric::Shape => qsmesh::Metric::Shape,
+            },
+            keep_sizes: self.keep_sizes,
             threads: self.threads,
             ..Options::default()
         }
@@ -421,6 +479,11 @@ mod tests {
             "index",
             "--threads",
             "3",
+            "--method",
+            "tangential-laplacian",
+            "--metric",
+            "min_angle",
+            "--keep-sizes",
             "--feature-angle",
             "off",
             "--iterations",
@@ -440,6 +503,9 @@ mod tests {
             boundary: qsmesh::Boundary::Slide,
             order: qsmesh::Order::Index,
             threads: 3,
+            method: qsmesh::Method::TangentialLaplacian,
+            metric: qsmesh::Metric::MinAngle,
+            keep_sizes: true,
             feature_angle: None,
             iterations: 7,
             relaxation: 1.0,
@@ -450,6 +516,14 @@ mod tests {
         };
         assert_eq!(chosen, expected);
     }
+
+    #[test]
+    fn orders_go_by_their_names() {
+        use qsmesh::Order::{Colors, Index, Tail, Wave};
+        let found = ["colors", "index", "wave", "tail"].map(|name| options(&["--order", name]).order);
+        assert_eq!(found, [Colors, Index, Wave, Tail]);
+    }
+
     #[test]
     fn every_choice_about_the_tail_reaches_the_library() {
         let chosen = tail_options(&[

@@ -59,6 +59,20 @@ class Command(Situation):
         self.assert_some_moved(positions, expected)
         self.assert_same_bits(coordinates(obj), expected)
 
+    def test_methods_metrics_and_orders_give_the_same_bits(self):
+        positions, triangles = real_mesh()
+        choices = (
+            ({"metric": "SHAPE", "keep_sizes": True, "order": "TAIL"}, ["--metric=shape", "--keep-sizes", "--order=tail"]),
+            ({"method": "TANGENTIAL_LAPLACIAN", "order": "WAVE"}, ["--method=tangential-laplacian", "--order=wave"]),
+        )
+        for options, arguments in choices:
+            with self.subTest(options=options):
+                obj = add(positions, triangles)
+                bpy.ops.mesh.qsmesh_smooth(**options)
+                expected, _, _ = command(positions, triangles, "smooth", *arguments)
+                self.assert_some_moved(positions, expected)
+                self.assert_same_bits(coordinates(obj), expected)
+
     def test_features_off_is_the_command_s_off(self):
         positions, triangles = real_mesh()
         obj = add(positions, triangles)

@@ -11,7 +11,9 @@ from situation import Situation, add, ball, coordinates, part
 NAMES = {"feature_angle": "use_features feature_angle", "max_deviation": "use_max_deviation max_deviation",
          "vertex_lock": "selected_only vertex_group invert_vertex_group", "triangle_mask": "selected_only",
          "feature_edges": "keep_sharp keep_seams keep_creases keep_materials keep_uv_borders"}
-INTERNAL = {"struct_size", "feature_edge_count", "progress", "user"}
+INTERNAL = {"struct_size", "feature_edge_count", "progress", "user", "unused"}
+# What nothing in Blender stands for.
+NOT_OFFERED = {"seeds", "visits", "visit_count"}
 
 
 def properties(operator):
@@ -20,20 +22,27 @@ def properties(operator):
 
 class Settings(Situation):
     def test_every_option_is_in_the_panel(self):
-        fields = [name for name, *_ in part("library").Options._fields_ if name not in INTERNAL]
-        tail = fields[fields.index("tail_edge_ratio") :]
+        fields = [name for name, *_ in part("library").Options._fields_ if name not in INTERNAL | NOT_OFFERED]
+        tail = fields[fields.index("tail_edge_ratio") : fields.index("triangle_mask") + 1]
         for operator, wanted in (("qsmesh_smooth", set(fields) - set(tail)), ("qsmesh_improve", set(fields))):
             offered = set(properties(operator).keys())
             for name in wanted:
                 self.assertLessEqual(set(NAMES.get(name, name).split()), offered, operator)
         self.assertIn("mirror", properties("qsmesh_smooth").keys())
 
+    def test_choices_are_the_library_s(self):
+        constants = vars(part("library"))
+        for option in part("options").CHOICES:
+            offered = [item.identifier for item in properties("qsmesh_smooth")[option].enum_items]
+            known = [name.removeprefix(f"{option.upper()}_") for name in constants if name.startswith(option.upper())]
+            self.assertEqual(offered, [name for name in known if name != "GIVEN"], option)
+
     def test_defaults_are_the_library_s(self):
         defaults = part("library").default_options()
         world = part("world_shape").WorldShape(numpy.eye(4))
         found = part("options").library_options(Defaults(), world)
         for name, *_ in part("library").Options._fields_:
-            if name not in INTERNAL and not name.endswith(("lock", "edges", "mask")):
+            if name not in INTERNAL and not name.endswith(("lock", "edges", "mask", "seeds", "visits")):
                 self.assertEqual(getattr(found, name), getattr(defaults, name), name)
 
     def test_every_property_explains_itself(self):

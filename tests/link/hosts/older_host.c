@@ -1,9 +1,10 @@
-/* A program that was built against a header in which qsm_options ended with the field user. */
+/* A program that was built against headers in which qsm_options ended with the field user, or with triangle_mask. */
 #include <qsmesh.h>
 
 #include "check.h"
 #include "torus.h"
 
+#include <stddef.h>
 #include <string.h>
 
 typedef struct older_options {
@@ -97,17 +98,34 @@ static void fields_that_it_does_not_know_have_their_defaults(void)
     CHECK(memcmp(indices, expected_indices, sizeof indices) == 0);
 }
 
+/* A host that knows the tail, but no field behind triangle_mask: what stands there is its own. */
+static void options_may_end_with_the_tail(void)
+{
+    qsm_options room, newer;
+    memset(&room, 0xA5, sizeof room);
+    qsm_options_init_sized(&room, offsetof(qsm_options, method));
+    CHECK(room.struct_size == offsetof(qsm_options, method) && room.tail_min_angle == 20.0);
+    CHECK(room.method == (qsm_method)0xA5A5A5A5 && room.visit_count != 0);
+    qsm_options_init(&newer);
+    newer.order = room.order = QSM_ORDER_TAIL;
+    start();
+    CHECK(qsm_smooth_f64(positions, TORUS_VERTICES, 24, indices, TORUS_INDICES, &room, NULL) == QSM_OK);
+    CHECK(qsm_smooth_f64(expected, TORUS_VERTICES, 24, expected_indices, TORUS_INDICES, &newer, NULL) == QSM_OK);
+    CHECK(memcmp(positions, expected, sizeof positions) == 0);
+}
+
 static void sizes_of_no_version_are_refused(void)
 {
     guarded host;
-    size_t wrong[4];
+    size_t wrong[5];
     size_t i;
     wrong[0] = 0;
     wrong[1] = sizeof(older_options) - sizeof(void *);
     wrong[2] = sizeof(older_options) + sizeof(double);
     wrong[3] = sizeof(qsm_options) + sizeof(void *);
+    wrong[4] = offsetof(qsm_options, seeds);
     start();
-    for (i = 0; i < 4; i++) {
+    for (i = 0; i < 5; i++) {
         set_up(&host);
         host.options.struct_size = wrong[i];
         CHECK(qsm_smooth_f64(positions, TORUS_VERTICES, 24, indices, TORUS_INDICES, as_passed(&host.options), NULL) ==
@@ -152,6 +170,7 @@ int main(void)
 {
     smoothing_means_the_same();
     fields_that_it_does_not_know_have_their_defaults();
+    options_may_end_with_the_tail();
     sizes_of_no_version_are_refused();
     newer_struct_is_refused_and_not_overrun();
     functions_without_a_size_write_version_0_1();

@@ -171,6 +171,43 @@ void marked_edges_are_features()
     CHECK(report.feature_edges == 2 && report.moved > 0);
 }
 
+void orders_take_containers()
+{
+    mesh m;
+    const mesh before;
+    qsmesh::options options;
+    const std::vector<std::uint32_t> visits{5, 90, 17};
+    qsmesh::report report;
+    qsmesh::smooth(m.positions, m.triangles, options.visiting(visits), &report);
+    CHECK(report.moved == 3 && options.order == QSM_ORDER_GIVEN);
+
+    mesh front, from_the_worst;
+    qsmesh::options wave;
+    wave.order = QSM_ORDER_WAVE;
+    qsmesh::smooth(from_the_worst.positions, from_the_worst.triangles, wave);
+    std::vector<std::uint8_t> seeds(TORUS_VERTICES, 0);
+    seeds[TORUS_VERTICES / 2] = 1;
+    qsmesh::smooth(front.positions, front.triangles, wave.wave_from(seeds));
+    CHECK(!same_bits(front.positions, from_the_worst.positions));
+    seeds.pop_back();
+    try {
+        qsmesh::smooth(front.positions, front.triangles, wave.wave_from(seeds));
+        CHECK(!"it throws");
+    } catch (const qsmesh::error &e) {
+        CHECK(std::string(e.offender_name()) == "seeds");
+    }
+    wave.order = QSM_ORDER_INDEX;
+    qsmesh::smooth(front.positions, front.triangles, wave);
+
+    const std::array<std::uint32_t, 2> missing{0, TORUS_VERTICES};
+    try {
+        qsmesh::smooth(m.positions, m.triangles, options.visiting(missing));
+        CHECK(!"it throws");
+    } catch (const qsmesh::error &e) {
+        CHECK(e.status() == QSM_VISIT_OUT_OF_RANGE && e.offender() == 1);
+    }
+}
+
 void progress_is_told_may_stop_and_may_throw()
 {
     mesh m;
@@ -297,6 +334,7 @@ int main()
     a_failure_is_an_exception_that_names_the_offender();
     a_lock_keeps_vertices_and_must_fit();
     marked_edges_are_features();
+    orders_take_containers();
     progress_is_told_may_stop_and_may_throw();
     improving_cuts_containers_and_says_where_all_came_from();
     containers_of_points_are_cut_by_points();

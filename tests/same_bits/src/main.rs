@@ -83,17 +83,21 @@ fn large(threads: u32) {
     }
 }
 
-/// Both orders with and without features, and each of the remaining choices once.
+/// Two orders with and without features, and each of the remaining choices once.
 fn settings(threads: u32) -> Vec<(&'static str, Options)> {
     let defaults = Options { threads, ..Options::default() };
     let index = Options { order: Order::Index, ..defaults.clone() };
     let least_squares = Options { plane: Plane::LeastSquares, ideal: Ideal::Equilateral, ..defaults.clone() };
+    let wave = Options { order: Order::Wave, ..defaults.clone() };
+    let tail = Options { order: Order::Tail, feature_angle: None, ..defaults.clone() };
     let sliding = Options { boundary: Boundary::Slide, max_deviation: Some(0.001), iterations: 3, ..defaults.clone() };
     vec![
         ("colours, features off", Options { feature_angle: None, ..defaults.clone() }),
         ("index, features off", Options { feature_angle: None, ..index.clone() }),
         ("colours, features", defaults),
         ("index, features", index),
+        ("wave, features", wave),
+        ("worst first, features off", tail),
         ("least squares, equilateral", least_squares),
         ("sliding boundary, bounded deviation", sliding),
     ]
