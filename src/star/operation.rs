@@ -6,18 +6,49 @@
 use fearless_simd::prelude::*;
 use glam::DVec3;
 
+use super::fan::Fan;
+use super::form::{Flat, Form, Points};
 use super::lanes::{LANES, Numbers, Vectors};
 use super::local::{Chunk, LocalStar};
 use super::model::Model;
 use super::plane::{self, TangentPlane};
-use super::potential::{Flat, Points};
-use crate::options::{Ideal, Options, Plane};
+use super::ring;
+use super::sizes::{self, Sizes};
+use crate::options::{Ideal, Method, Metric, Options, Plane};
 
 /// The operation with its settings.
 pub(crate) struct Operation {
     model: Model,
     ideal: Ideal,
     plane: Plane,
+    kind: Kind,
+    keeps_volume: bool,
+    /// Original sizes, if they are to be kept.
+    sizes: Option<Sizes>,
+}
+
+/// How a star is looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Edge ratios, eight triangles at once.
+    EdgeRatio,
+    /// Another quality parameter, triangle by triangle.
+    Form(Form),
+    /// Just its ring.
+    Ring,
+}
+
+impl Kind {
+    fn of(options: &Options) -> Self {
+        match (options.method, options.metric) {
+            (Method::Laplacian | Method::TangentialLaplacian, _) => Self::Ring,
+            (Method::QuasiStatistical, Metric::EdgeRatio) => Self::EdgeRatio,
+            (Method::QuasiStatistical, Metric::MinAngle) => Self::Form(Form::MinAngle),
+            (Method::QuasiStatistical, Metric::MaxAngle) => Self::Form(Form::MaxAngle),
+            (Method::QuasiStatistical, Metric::Area) => Self::Form(Form::Area),
+            (Method::QuasiStatistical, Metric::Shape) => Self::Form(Form::Shape),
+        }
+    }
 }
 
 /// What the steps leave to each other. Reused from star to star.
@@ -31,13 +62,29 @@ pub(crate) struct Draft {
     flats: Vec<Flat>,
     /// Their sampled values a, then their modelled values a*.
     values: Vec<[f64; LANES]>,
+    /// The projected triangles where they are taken one by one.
+    fan: Fan,
     /// √D of formula (1).
     deviation: f64,
 }
 
 impl Operation {
-    pub fn new(options: &Options) -> Self {
-        Self { model: Model::new(options), ideal: options.ideal, plane: options.plane }
+    /// The operation for these options; `sizes` are to be kept.
+    pub fn new(options: &Options, sizes: Option<Sizes>) -> Self {
+        Self {
+            model: Model::new(options),
+            ideal: options.ideal,
+            plane: options.plane,
+            kind: Kind::of(options),
+            keeps_volume: options.method != Method::Laplacian,
+            sizes,
+        }
+    }
+
+    /// Whether what a free star wants is to be brought into its volume-neutral plane.
+    #[inline(always)]
+    pub fn keeps_volume(&self) -> bool {
+        self.keeps_volume
     }
 
     /// All steps: from the centre to the mean of the potential centers, each in its sector's own plane; `None` for a star
@@ -49,7 +96,7 @@ impl Operation {
         }
         self.sample(simd, star, draft);
         self.model(simd, star, draft);
-        Some(self.mean_center(simd, star, draft))
+        Some(self.shape_wish(simd, star, draft))
     }
 
     /// First step: the tangent planes. False if the star has none.
@@ -70,7 +117,7 @@ impl Operation {
         }
     }
 
-    /// Second step: projects the triangles and takes the statistics of their edge ratios, formula (1).
+    /// Second step: projects the triangles and takes the statistics of their samples, formula (1).
     #[inline(always)]
     pub fn sample<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
         let chunks = star.chunks();
@@ -78,9 +125,10 @@ impl Operation {
             draft.flats.resize(chunks, Flat::default());
             draft.values.resize(chunks, [0.0; LANES]);
         }
-        for chunk in 0..chunks {
-            let [a, b] = project(simd, star, &draft.planes, star.chunk(simd, chunk));
-            draft.flats[chunk].take(simd, a, b).store_array(&mut draft.values[chunk]);
+        match self.kind {
+            Kind::EdgeRatio => sample_edge_ratios(simd, star, draft),
+            Kind::Form(form) => draft.fan.sample(form, star, &draft.planes, &mut draft.values[..chunks]),
+            Kind::Ring => return,
         }
         draft.deviation = self.model.deviation(simd, &mut draft.values[..chunks], star.valence());
     }
@@ -88,6 +136,9 @@ impl Operation {
     /// Third step: models better values, formulas (2) to (4).
     #[inline(always)]
     pub fn model<S: Simd>(&self, simd: S, star: &LocalStar, draft: &mut Draft) {
+        if self.kind == Kind::Ring {
+            return;
+        }
         let values = &mut draft.values[..star.chunks()];
         match self.ideal {
             Ideal::Modelled => self.model.apply(simd, values, star.valence(), draft.deviation),
@@ -95,9 +146,29 @@ impl Operation {
         }
     }
 
-    /// Last step: the mean of the potential centers.
+    /// Last step: from the centre to where the star of `v` wants it.
     #[inline(always)]
-    pub fn mean_center<S: Simd>(&self, simd: S, star: &LocalStar, draft: &Draft) -> DVec3 {
+    pub fn wish<S: Simd>(&self, simd: S, v: u32, star: &LocalStar, draft: &Draft) -> DVec3 {
+        let step = self.shape_wish(simd, star, draft);
+        match &self.sizes {
+            None => step,
+            Some(sizes) => step * (1.0 - sizes::SHARE) + sizes.pull(v, star) * sizes::SHARE,
+        }
+    }
+
+    /// Where the shapes of the triangles want it.
+    #[inline(always)]
+    fn shape_wish<S: Simd>(&self, simd: S, star: &LocalStar, draft: &Draft) -> DVec3 {
+        match self.kind {
+            Kind::EdgeRatio => self.mean_center(simd, star, draft),
+            Kind::Form(form) => draft.fan.mean_center(form, star.split, &draft.planes, &draft.values),
+            Kind::Ring => ring::mean(star),
+        }
+    }
+
+    /// The mean of the potential centers for edge ratios.
+    #[inline(always)]
+    fn mean_center<S: Simd>(&self, simd: S, star: &LocalStar, draft: &Draft) -> DVec3 {
         let (mut first, mut second) = (Points::zero(simd), Points::zero(simd));
         for chunk in 0..star.chunks() {
             let Chunk { present, second: is_second, .. } = star.chunk(simd, chunk);
@@ -113,6 +184,15 @@ impl Operation {
         let sum = draft.planes[0].lift(first.sum());
         let sum = if star.is_crease() { sum + draft.planes[1].lift(second.sum()) } else { sum };
         sum * (1.0 / star.valence() as f64)
+    }
+}
+
+/// Projects the triangles and samples their edge ratios.
+#[inline(always)]
+fn sample_edge_ratios<S: Simd>(simd: S, star: &LocalStar, draft: &mut Draft) {
+    for chunk in 0..star.chunks() {
+        let [a, b] = project(simd, star, &draft.planes, star.chunk(simd, chunk));
+        draft.flats[chunk].take(simd, a, b).store_array(&mut draft.values[chunk]);
     }
 }
 

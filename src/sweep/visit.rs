@@ -171,8 +171,9 @@ impl Visit {
     /// The step that the star wants.
     #[inline(always)]
     fn wish<S: Simd>(&self, simd: S, around: &Surroundings<'_>) -> Option<DVec3> {
-        let step = around.operation.mean_center(simd, &self.star, &self.draft) * around.relaxation;
+        let step = around.operation.wish(simd, self.vertex, &self.star, &self.draft) * around.relaxation;
         match around.features.role(self.vertex) {
+            Role::Free | Role::Doubtful if !around.operation.keeps_volume() => Some(step),
             Role::Free | Role::Doubtful => volume_neutral(step, self.draft.areas[0]),
             _ => slide::along(&self.star, step),
         }

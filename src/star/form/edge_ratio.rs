@@ -1,13 +1,13 @@
-//! The potential form: where the apex of a triangle goes if its rim edge stays and its shape is to have a given value.
+//! The edge ratio a, longest over shortest edge: the paper's own parameter, and itself the variable.
 
 use fearless_simd::prelude::*;
 use glam::DVec2;
 
-use super::lanes::{self, LANES, Numbers, Truths};
+use crate::star::lanes::{self, LANES, Numbers, Truths};
 
 /// Points of a plane, one in each lane.
 #[derive(Clone, Copy)]
-pub(super) struct Points<S: Simd> {
+pub(in crate::star) struct Points<S: Simd> {
     pub x: Numbers<S>,
     pub y: Numbers<S>,
 }
@@ -55,7 +55,7 @@ impl<S: Simd> Points<S> {
 
 /// Eight triangles with the apex at the origin, projected into their plane.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Flat {
+pub(in crate::star) struct Flat {
     /// Starts of the rim edges.
     a: [[f64; LANES]; 2],
     /// From the starts to the ends.
