@@ -99,3 +99,45 @@ fn original_size(mesh: &Mesh<'_>, stars: &Stars, v: u32) -> f64 {
     let triangles = rim.len().saturating_sub(1).max(1);
     (0.5 * double_areas.sum::<f64>() / triangles as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pull on a centre inside a regular hexagon, the original sizes of which are given from the centre on.
+    fn pull(centre: DVec3, sizes: [f32; 7]) -> DVec3 {
+        let corner = |i: u32| {
+            let angle = f64::from(i) * std::f64::consts::FRAC_PI_3;
+            (i + 1, DVec3::new(libm::cos(angle), libm::sin(angle), 0.0))
+        };
+        let ring: Vec<_> = (0..6).map(corner).collect();
+        let mut star = LocalStar::default();
+        star.take_ring(centre, &ring, None);
+        Sizes(sizes.to_vec()).pull(0, &star)
+    }
+
+    #[test]
+    fn nothing_pulls_at_a_regular_star_of_equal_sizes() {
+        assert!(pull(DVec3::ZERO, [0.7; 7]).length() < 1e-15);
+    }
+
+    #[test]
+    fn equal_sizes_pull_back_to_the_middle() {
+        let off = DVec3::new(0.02, -0.01, 0.0);
+        assert!((pull(off, [0.7; 7]) + off).length() < 0.1 * off.length(), "{}", pull(off, [0.7; 7]));
+    }
+
+    #[test]
+    fn the_centre_is_pulled_to_where_it_was_finer() {
+        let found = pull(DVec3::ZERO, [0.7, 0.5, 0.7, 0.7, 0.7, 0.7, 0.7]);
+        assert!(found.x > 0.01 && found.y.abs() < 1e-15, "{found}");
+    }
+
+    #[test]
+    fn unknown_sizes_have_no_say() {
+        let known = pull(DVec3::new(0.1, 0.0, 0.0), [0.7; 7]);
+        let partly = pull(DVec3::new(0.1, 0.0, 0.0), [0.7, 0.0, 0.7, 0.0, 0.7, 0.7, 0.7]);
+        assert!(known.distance(partly) < 1e-8);
+        assert_eq!(pull(DVec3::new(0.1, 0.0, 0.0), [0.0; 7]), DVec3::ZERO);
+    }
+}

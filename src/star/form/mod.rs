@@ -69,7 +69,8 @@ impl Form {
     pub fn weight(self, apex: Apex, length: f64) -> f64 {
         match self {
             Self::MinAngle | Self::Shape => 1.0,
-            Self::MaxAngle => max_angle::steepness(apex) / length,
+            Self::MaxAngle if apex.height > 0.0 => max_angle::steepness(apex) / length,
+            Self::MaxAngle => 1.0 / length,
             Self::Area => length,
         }
     }
