@@ -19,7 +19,7 @@ pub enum Ideal {
     /// Values modelled from the star's own statistics, formula (4) of the paper.
     #[default]
     Modelled,
-    /// The paper's variant in which every modelled value is 1: equilateral triangles.
+    /// The paper's variant in which every modelled value is 1: equilateral triangles, or equal areas.
     Equilateral,
 }
 
@@ -39,25 +39,27 @@ pub enum Method {
     /// The mean of the potential centers of its triangles, modelled from their statistics: the paper's method.
     #[default]
     QuasiStatistical,
-    /// The mean of its ring, wherever that is. The enclosed volume changes: for comparison.
+    /// The mean of its ring, wherever that is. The enclosed volume changes, by about 1 % in two sweeps over a scan: for
+    /// comparison.
     Laplacian,
     /// The part of the Laplacian step that leaves the enclosed volume as it is.
     TangentialLaplacian,
 }
 
-/// Quality parameter whose values are sampled and modelled.
+/// Quality parameter whose values are sampled and modelled. `docs/metrics.md` derives the random variable of each, says
+/// what each improves most, and by how much.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Metric {
-    /// Longest edge over shortest edge, the paper's AR.
+    /// Longest edge over shortest edge, the paper's AR; itself the variable. Lowest mean edge ratio.
     #[default]
     EdgeRatio,
-    /// Smallest angle.
+    /// Smallest angle θ; variable √3·cot θ. Lowest variance of the smallest angles.
     MinAngle,
-    /// Largest angle.
+    /// Largest angle φ; variable 2·sin(φ/2). Lowest variance of the largest angles.
     MaxAngle,
-    /// Area relative to the mean area of the star.
+    /// Area a relative to the mean area m of the star; variable (a/m)² or (m/a)². Most equal areas; shapes matter less.
     Area,
-    /// Mean ratio 4√3·area / Σ edge².
+    /// Mean ratio q = 4√3·area / Σ edge²; variable 1 + √(2/q − 2). Lowest variance of the shapes.
     Shape,
 }
 
@@ -90,7 +92,8 @@ pub struct Options {
     pub method: Method,
     /// Quality parameter that is modelled; of no meaning for the Laplacian methods. Default [`Metric::EdgeRatio`].
     pub metric: Metric,
-    /// Keep the ratios of neighbouring sizes: a graded mesh stays graded. Default false.
+    /// Keep the ratios of neighbouring sizes: a graded mesh stays graded, and shapes get a little less good. For every
+    /// metric and method; takes four bytes a vertex. Default false.
     pub keep_sizes: bool,
     /// Over-relaxation ω of each move, above 0 and at most 2. Default 1.2; 1 is the paper's setting.
     pub relaxation: f64,
@@ -98,9 +101,11 @@ pub struct Options {
     pub plane: Plane,
     /// Shape asked of the triangles. Default [`Ideal::Modelled`].
     pub ideal: Ideal,
-    /// Interval width w of the sampling histogram in units of edge_ratio (formula (3)), 0.001 to 1,000. Default 0.5.
+    /// Interval width w of the sampling histogram (formula (3)), in units of the metric's random variable, 0.001 to
+    /// 1,000. Default 0.5.
     pub interval_width: f64,
-    /// Samples of edge_ratio above this count as this, at least 1. Default 3: one sliver must not decide for a star.
+    /// Samples of the metric's random variable above this count as this, at least 1. Default 3, which is edge ratio 3 or
+    /// smallest angle 30°: one sliver must not decide for a star.
     pub sample_limit: f64,
     /// Mean-ratio shape below which no star's worst triangle may fall or fall further, 0 to 1. Default 0.5.
     pub quality_floor: f64,

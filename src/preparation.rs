@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::features::Features;
 use crate::mesh::{Coordinate, Mesh, Stars};
 use crate::options::{Constraints, Options, Order};
-use crate::star::Operation;
+use crate::star::{Operation, Sizes};
 use crate::sweep::Surroundings;
 use crate::threads::Threads;
 
@@ -39,7 +39,9 @@ impl<'a> Preparation<'a> {
         let adjacency = clock.elapsed().as_secs_f64();
         let features = Features::new(&mesh, &stars, options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
-        Ok(Self { mesh, stars, features, operation: Operation::new(options), adjacency, finding })
+        let sizes = options.keep_sizes.then(|| Sizes::new(&mesh, &stars, threads)).transpose()?;
+        let operation = Operation::new(options, sizes);
+        Ok(Self { mesh, stars, features, operation, adjacency, finding })
     }
 
     /// The same, in the form in which visits read it.

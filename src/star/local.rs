@@ -14,6 +14,8 @@ const MOST: usize = 8;
 /// Stars side by side, each relative to its centre, so that nothing depends on where in space it lies. Triangle i of a star
 /// is (centre, rim vertex i, rim vertex i + 1). Reused from stars to stars.
 pub(crate) struct LocalStars<N: Number> {
+    /// Numbers of the vertices in the centres.
+    numbers: N::Vertices,
     centres: [N::Row; 3],
     /// Where the centres are in the original mesh.
     origins: [N::Row; 3],
@@ -102,7 +104,15 @@ impl<N: Number> Countdown<N> {
 impl<N: Number> Default for LocalStars<N> {
     fn default() -> Self {
         let (row, vectors) = (N::Row::default(), [N::Row::default(); 3]);
-        Self { centres: vectors, origins: vectors, valences: row, longest: 0, split: usize::MAX, spokes: Vec::new() }
+        Self {
+            numbers: N::Vertices::default(),
+            centres: vectors,
+            origins: vectors,
+            valences: row,
+            longest: 0,
+            split: usize::MAX,
+            spokes: Vec::new(),
+        }
     }
 }
 
@@ -138,6 +148,7 @@ impl<N: Number> LocalStars<N> {
 
     #[inline(always)]
     fn set_centre(&mut self, star: usize, site: Site) {
+        self.numbers.as_mut()[star] = site.vertex;
         set_vector(&mut self.centres, star, site.place);
         set_vector(&mut self.origins, star, site.origin);
     }
@@ -250,7 +261,7 @@ impl<N: Number> LocalStars<N> {
         (alone.longest, alone.split) = (self.valence_of(star), self.split);
         alone.make_room();
         let site = |vertex, place, origin| Site { vertex, place: vector(place, star), origin: vector(origin, star) };
-        alone.set_centre(0, site(0, &self.centres, &self.origins));
+        alone.set_centre(0, site(self.numbers.as_ref()[star], &self.centres, &self.origins));
         for (own, Spoke { vertices, place, origin }) in alone.spokes[..=alone.longest].iter_mut().zip(&self.spokes) {
             own.set(0, site(vertices.as_ref()[star], place, origin));
         }
@@ -281,6 +292,16 @@ impl LocalStar {
             spoke.set(0, site);
         }
         self.center(());
+    }
+
+    /// Number of the vertex in the centre.
+    pub fn number(&self) -> u32 {
+        self.numbers[0]
+    }
+
+    /// The numbers of rim vertices `i` and `i + 1`.
+    pub fn rim_edge(&self, i: usize) -> [u32; 2] {
+        [self.spokes[i].vertices[0], self.spokes[i + 1].vertices[0]]
     }
 
     /// Position of the centre.

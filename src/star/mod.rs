@@ -1,18 +1,22 @@
 //! The operation on a star: one file for each of its steps, in the paper's order. Everything works on one star or on eight
 //! side by side.
 
+mod fan;
+mod form;
 mod local;
 mod model;
 mod number;
 mod operation;
 mod plane;
-mod potential;
+mod ring;
+mod sizes;
 mod vectors;
 
 pub(crate) use local::{LocalStar, LocalStars, Site, double_vector_area};
 pub(crate) use number::Number;
 pub(crate) use operation::{Draft, Operation};
 pub(crate) use plane::TangentPlane;
+pub(crate) use sizes::Sizes;
 pub(crate) use vectors::{Vectors, set_vector, vector};
 
 #[cfg(test)]
@@ -31,14 +35,14 @@ mod tests {
         let (mut local, mut draft) = (LocalStars::<f64x8<S>>::default(), Draft::default());
         local.take(simd, stars, |vertex| site(mesh, vertex), vertices);
         let areas = local.areas(simd);
-        let rows = Operation::new(&Options::default()).targets(simd, &local, &areas, &mut draft).0.rows();
+        let rows = Operation::new(&Options::default(), None).targets(simd, &local, &areas, &mut draft).0.rows();
         std::array::from_fn(|star| vector(&rows, star))
     }
 
     fn alone(mesh: &Mesh<'_>, stars: &Stars, v: u32) -> DVec3 {
         let mut local = LocalStar::default();
         local.take((), stars, |vertex| site(mesh, vertex), &[v]);
-        Operation::new(&Options::default()).target(&local, &mut Draft::default()).unwrap()
+        Operation::new(&Options::default(), None).target(&local, &mut Draft::default()).unwrap()
     }
 
     fn site(mesh: &Mesh<'_>, vertex: u32) -> Site {

@@ -2,19 +2,50 @@
 
 use glam::DVec3;
 
+use super::fan::Fan;
+use super::form::{Flat, Form};
 use super::local::{LocalStar, LocalStars};
 use super::model::Model;
 use super::number::Number;
 use super::plane::{self, TangentPlanes};
-use super::potential::Flat;
+use super::ring;
+use super::sizes::{self, Sizes};
 use super::vectors::{Points, Vectors, set_vector, vector};
-use crate::options::{Ideal, Options, Plane};
+use crate::options::{Ideal, Method, Metric, Options, Plane};
 
 /// The operation with its settings.
 pub(crate) struct Operation {
     model: Model,
     ideal: Ideal,
     plane: Plane,
+    kind: Kind,
+    keeps_volume: bool,
+    /// Original sizes, if they are to be kept.
+    sizes: Option<Sizes>,
+}
+
+/// How a star is looked at.
+#[derive(Clone, Copy)]
+enum Kind {
+    /// Edge ratios, in all stars at once.
+    EdgeRatio,
+    /// Another quality parameter, star by star.
+    Form(Form),
+    /// Just its ring, star by star.
+    Ring,
+}
+
+impl Kind {
+    fn of(options: &Options) -> Self {
+        match (options.method, options.metric) {
+            (Method::Laplacian | Method::TangentialLaplacian, _) => Self::Ring,
+            (Method::QuasiStatistical, Metric::EdgeRatio) => Self::EdgeRatio,
+            (Method::QuasiStatistical, Metric::MinAngle) => Self::Form(Form::MinAngle),
+            (Method::QuasiStatistical, Metric::MaxAngle) => Self::Form(Form::MaxAngle),
+            (Method::QuasiStatistical, Metric::Area) => Self::Form(Form::Area),
+            (Method::QuasiStatistical, Metric::Shape) => Self::Form(Form::Shape),
+        }
+    }
 }
 
 /// A triangle of each star while the operation is at work.
@@ -29,8 +60,14 @@ pub(super) struct Sample<N: Number> {
     pub rank: N::Row,
 }
 
-/// Working memory of the operation: as many triangles as the largest star so far has had.
-pub(crate) struct Draft<N: Number>(Vec<Sample<N>>);
+/// Working memory of the operation.
+pub(crate) struct Draft<N: Number> {
+    /// As many triangles as the largest star so far has had.
+    samples: Vec<Sample<N>>,
+    /// For what is done star by star.
+    alone: LocalStar,
+    fan: Fan,
+}
 
 impl<N: Number> Default for Sample<N> {
     fn default() -> Self {
@@ -41,23 +78,37 @@ impl<N: Number> Default for Sample<N> {
 
 impl<N: Number> Default for Draft<N> {
     fn default() -> Self {
-        Self(Vec::new())
+        Self { samples: Vec::new(), alone: LocalStar::default(), fan: Fan::default() }
     }
 }
 
 impl Operation {
-    pub fn new(options: &Options) -> Self {
-        Self { model: Model::new(options), ideal: options.ideal, plane: options.plane }
+    /// The operation for these options; `sizes` are to be kept.
+    pub fn new(options: &Options, sizes: Option<Sizes>) -> Self {
+        Self {
+            model: Model::new(options),
+            ideal: options.ideal,
+            plane: options.plane,
+            kind: Kind::of(options),
+            keeps_volume: options.method != Method::Laplacian,
+            sizes,
+        }
     }
 
-    /// From the centre of a star to the mean of the potential centers; `None` for a star that has no plane.
+    /// Whether what a free star wants is to be brought into its volume-neutral plane.
+    #[inline(always)]
+    pub fn keeps_volume(&self) -> bool {
+        self.keeps_volume
+    }
+
+    /// From the centre of a star to where its shapes want it; `None` for a star that has no plane.
     pub fn target(&self, star: &LocalStar, draft: &mut Draft<f64>) -> Option<DVec3> {
-        let (target, exists) = self.targets((), star, &star.areas(()), draft);
+        let (target, exists) = self.shape_targets((), star, &star.areas(()), draft);
         exists.then(|| target.into())
     }
 
-    /// From the centres to the means of the potential centers, each in its sector's own plane, and which stars have planes
-    /// at all. `areas` are those of [`LocalStars::areas`].
+    /// From the centres to where the stars want them, and which stars have a plane, and so a wish, at all. `areas` are those of
+    /// [`LocalStars::areas`].
     #[inline(always)]
     pub fn targets<N: Number>(
         &self,
@@ -66,13 +117,67 @@ impl Operation {
         areas: &[Vectors<N>; 2],
         draft: &mut Draft<N>,
     ) -> (Vectors<N>, N::Truth) {
-        let valences = stars.valences(token);
-        if draft.0.len() < stars.longest() {
-            draft.0.resize_with(stars.longest(), Sample::default);
+        let (targets, exist) = self.shape_targets(token, stars, areas, draft);
+        let Some(sizes) = &self.sizes else {
+            return (targets, exist);
+        };
+        let mut rows = targets.rows();
+        for star in 0..N::STARS {
+            stars.copy_into(star, &mut draft.alone);
+            let target = vector(&rows, star) * (1.0 - sizes::SHARE) + sizes.pull(&draft.alone) * sizes::SHARE;
+            set_vector(&mut rows, star, target);
         }
-        let samples = &mut draft.0[..stars.longest()];
+        (Vectors::load(token, &rows), exist)
+    }
+
+    /// Where the shapes of their triangles want the stars.
+    #[inline(always)]
+    fn shape_targets<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        areas: &[Vectors<N>; 2],
+        draft: &mut Draft<N>,
+    ) -> (Vectors<N>, N::Truth) {
         let (planes, exist) = self.planes(token, stars, areas);
-        let total = self.sample(token, stars, &planes, samples);
+        if matches!(self.kind, Kind::EdgeRatio) {
+            return (self.mean_centers(token, stars, &planes, &mut draft.samples), exist);
+        }
+        let mut rows = [N::Row::default(); 3];
+        for star in 0..N::STARS {
+            stars.copy_into(star, &mut draft.alone);
+            set_vector(&mut rows, star, self.target_alone(&draft.alone, &mut draft.fan));
+        }
+        (Vectors::load(token, &rows), exist)
+    }
+
+    /// Where the shapes want one star, or its ring.
+    fn target_alone(&self, star: &LocalStar, fan: &mut Fan) -> DVec3 {
+        let Kind::Form(form) = self.kind else {
+            return ring::mean(star);
+        };
+        let model = (self.ideal == Ideal::Modelled).then_some(&self.model);
+        match self.planes((), star, &star.areas(())) {
+            (planes, true) => fan.target(form, model, star, &planes),
+            _ => DVec3::ZERO,
+        }
+    }
+
+    /// The means of the potential centers for edge ratios, each in its sector's own plane.
+    #[inline(always)]
+    fn mean_centers<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        planes: &[TangentPlanes<N>; 2],
+        samples: &mut Vec<Sample<N>>,
+    ) -> Vectors<N> {
+        let valences = stars.valences(token);
+        if samples.len() < stars.longest() {
+            samples.resize_with(stars.longest(), Sample::default);
+        }
+        let samples = &mut samples[..stars.longest()];
+        let total = self.sample(token, stars, planes, samples);
         let deviation = match self.ideal {
             Ideal::Modelled => {
                 self.model.rank(token, samples, valences);
@@ -80,7 +185,7 @@ impl Operation {
             }
             Ideal::Equilateral => N::splat(token, 0.0),
         };
-        (self.mean_center(token, stars, &planes, samples, deviation), exist)
+        mean_center(token, stars, planes, samples, deviation)
     }
 
     /// The planes of the sectors, and which stars have them.
@@ -129,29 +234,28 @@ impl Operation {
         }
         total
     }
+}
 
-    /// From the centres to the means of the potential centers for the modelled values, formula (4).
-    #[inline(always)]
-    fn mean_center<N: Number>(
-        &self,
-        token: N::Token,
-        stars: &LocalStars<N>,
-        planes: &[TangentPlanes<N>; 2],
-        samples: &[Sample<N>],
-        deviation: N,
-    ) -> Vectors<N> {
-        let (mut countdown, one) = (stars.countdown(token), N::splat(token, 1.0));
-        let mut sums = [Points::<N>::zero(token); 2];
-        for (i, sample) in samples.iter().enumerate() {
-            let ideal = N::load(token, &sample.rank) * deviation + one;
-            let center = sample.flat.center(token, ideal).only(token, countdown.next());
-            let sum = &mut sums[stars.sector(i)];
-            *sum = sum.plus(center);
-        }
-        let sum = planes[0].raise(sums[0]);
-        let sum = if stars.is_crease() { sum.plus(planes[1].raise(sums[1])) } else { sum };
-        sum.times(one / stars.valences(token))
+/// From the centres to the means of the potential centers for the modelled values, formula (4).
+#[inline(always)]
+fn mean_center<N: Number>(
+    token: N::Token,
+    stars: &LocalStars<N>,
+    planes: &[TangentPlanes<N>; 2],
+    samples: &[Sample<N>],
+    deviation: N,
+) -> Vectors<N> {
+    let (mut countdown, one) = (stars.countdown(token), N::splat(token, 1.0));
+    let mut sums = [Points::<N>::zero(token); 2];
+    for (i, sample) in samples.iter().enumerate() {
+        let ideal = N::load(token, &sample.rank) * deviation + one;
+        let center = sample.flat.center(token, ideal).only(token, countdown.next());
+        let sum = &mut sums[stars.sector(i)];
+        *sum = sum.plus(center);
     }
+    let sum = planes[0].raise(sums[0]);
+    let sum = if stars.is_crease() { sum.plus(planes[1].raise(sums[1])) } else { sum };
+    sum.times(one / stars.valences(token))
 }
 
 /// Normals of the least-squares planes of the sectors, star by star.

@@ -253,6 +253,9 @@ impl Surroundings<'_> {
             let (step, slide) = slides(token, scene.stars, step);
             return (step, N::bits(exist) & slide);
         }
+        if !self.operation.keeps_volume() {
+            return (step, N::bits(exist));
+        }
         let (step, neutral) = volume_neutral_steps(token, step, scene.areas[0]);
         (step, N::bits(exist & neutral))
     }

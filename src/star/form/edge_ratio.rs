@@ -1,10 +1,10 @@
-//! The potential form: where the apex of a triangle goes if its rim edge stays and its shape is to have a given value.
+//! The edge ratio a, longest over shortest edge: the paper's own parameter, and itself the variable.
 
-use super::number::Number;
-use super::vectors::Points;
+use crate::star::number::Number;
+use crate::star::vectors::Points;
 
 /// A triangle of each star with the apex at the origin, projected into its plane.
-pub(super) struct Flat<N: Number> {
+pub(in crate::star) struct Flat<N: Number> {
     /// Start of the rim edge.
     a: [N::Row; 2],
     /// From the start to the end.
