@@ -1,7 +1,8 @@
 //! Stages of a call as ratios measured in one run: `cargo bench --features cli [-- MESH.ply]`.
 //!
 //! Every figure is the median of several runs, in nanoseconds per vertex (for sweeps: and iteration), beside a plain
-//! Laplacian sweep over flat arrays of the same mesh, which is about what reading and writing the memory costs.
+//! Laplacian sweep over flat arrays of the same mesh, which is about what reading and writing the memory costs. All rows
+//! but the one that says so are of one thread.
 
 #[path = "../tests/meshes/mod.rs"]
 mod meshes;
@@ -27,9 +28,10 @@ fn main() {
     println!("{}: {} vertices", path.as_deref().unwrap_or("a torus"), mesh.0.len());
 
     let plain = laplacian(&mesh);
-    let with = |options: Options| stages(&mesh, &options);
-    let off = with(Options { feature_angle: None, measure: false, ..Options::default() });
-    let defaults = with(Options { measure: false, ..Options::default() });
+    let one = Options { threads: 1, measure: false, ..Options::default() };
+    let off = stages(&mesh, &Options { feature_angle: None, ..one.clone() });
+    let defaults = stages(&mesh, &one);
+    let all = stages(&mesh, &Options { threads: 0, ..one.clone() });
     let row = |name: &str, nanoseconds: f64| println!("{name:<34} {nanoseconds:8.1} ns  {:6.1} ×", nanoseconds / plain);
     row("plain Laplacian sweep", plain);
     row("validation and stars", defaults.adjacency);
@@ -37,8 +39,9 @@ fn main() {
     row("sweep with guard, features off", off.sweeps / 2.0);
     row("sweep with guard, defaults", defaults.sweeps / 2.0);
     row("whole call, 2 sweeps, defaults", defaults.total);
+    row("whole call on all threads", all.total);
     for (name, feature_angle) in [("tail, features off", None), ("tail, defaults", Some(30.0))] {
-        let seconds = tail(&mesh, &Options { feature_angle, measure: false, ..Options::default() });
+        let seconds = tail(&mesh, &Options { feature_angle, ..one.clone() });
         row(name, seconds.tail);
         println!("{:<34} {:8.2} × two sweeps", "", seconds.tail / seconds.sweeps);
     }
