@@ -60,7 +60,36 @@ impl Output {
 /// The mesh's name and how many triangles it has, in each state where that differs.
 pub fn title(input: &Path, states: &[&Measurement]) -> String {
     let name = input.file_name().unwrap_or(input.as_os_str()).to_string_lossy();
-    let mut counts: Vec<_> = states.iter().map(|state| state.triangles.to_string()).collect();
+    let mut counts: Vec<_> = states.iter().map(|state| grouped(state.triangles)).collect();
     counts.dedup();
     format!("{name}: {} triangles", counts.join(" → "))
+}
+
+/// With a comma before every three digits.
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use qsmesh::Measurement;
+
+    use super::title;
+
+    #[test]
+    fn counts_that_agree_are_told_once() {
+        let [few, many] = [999, 1_096_966].map(|triangles| Measurement { triangles, ..Measurement::default() });
+        assert_eq!(title(Path::new("in/a.ply"), &[&few, &few]), "a.ply: 999 triangles");
+        assert_eq!(title(Path::new("b.obj"), &[&many, &few]), "b.obj: 1,096,966 → 999 triangles");
+    }
 }

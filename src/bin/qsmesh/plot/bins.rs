@@ -30,7 +30,7 @@ pub struct Bins {
     pub shares: Vec<f64>,
     /// Past the last interval; infinite values are among them.
     pub beyond: f64,
-    /// Without a value: a triangle whose corners are one point has no largest angle.
+    /// Without a value: a triangle with two corners in one place has no largest angle.
     pub without: f64,
 }
 
@@ -42,9 +42,9 @@ impl Scale {
             ..=2.0 => (0.025, 40),
             ..=3.0 => (0.05, 40),
             ..=4.0 => (0.05, 60),
-            ..=5.0 => (0.1, 40),
+            ..=5.0 => (0.05, 80),
             ..=7.0 => (0.1, 60),
-            _ => (0.2, 45),
+            _ => (0.1, 90),
         };
         Self { parameter: Parameter::EdgeRatio, lower: 1.0, width, count, is_open: true }
     }
@@ -62,6 +62,11 @@ impl Scale {
     /// Where the last interval ends.
     pub fn upper(&self) -> f64 {
         self.lower + self.width * self.count as f64
+    }
+
+    /// From its beginning to its end.
+    pub fn length(&self) -> f64 {
+        self.upper() - self.lower
     }
 
     /// The figures of this axis.
@@ -151,12 +156,12 @@ mod tests {
     }
 
     #[test]
-    fn all_angles_have_a_place() {
+    fn angles_that_there_are_have_a_place() {
         let small = bins(&Scale::of_min_angle(), &POINTS, &TRIANGLES);
         assert_eq!((small.shares[59], small.shares[36], small.shares[0]), (25.0, 25.0, 50.0));
         let large = bins(&Scale::of_max_angle(), &POINTS, &TRIANGLES);
-        assert_eq!((large.shares[0], large.without, large.beyond), (25.0, 0.0, 0.0));
-        assert_eq!(large.shares.iter().sum::<f64>(), 100.0);
+        assert_eq!((large.shares[0], large.without, large.beyond), (25.0, 25.0, 0.0));
+        assert_eq!(large.shares.iter().sum::<f64>(), 75.0);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyl
 use crate::failure::{Failure, Result};
 
 /// Size of the picture in units.
-pub const SIZE: [u32; 2] = [1500, 520];
+pub const SIZE: [u32; 2] = [1620, 540];
 /// Height of the title.
 pub const TITLE: u32 = 48;
 /// Height of the lines above a histogram.

@@ -17,13 +17,17 @@ use super::picture::State;
 use crate::failure::Result;
 
 /// Height of the type of labels and of headings.
-const SMALL: u32 = 17;
-const LARGE: u32 = 19;
+const SMALL: u32 = 16;
+const LARGE: u32 = 18;
+/// Space beside a histogram, and that of the labels of its vertical axis.
+const MARGIN: u32 = 20;
+const LABELS: u32 = 60;
 /// Width of a sample in the legend.
 const SAMPLE: i32 = 34;
-/// Intervals of the gap before the bar of what lies past the axis, and of the bar.
-const GAP: f64 = 1.0;
-const BAR: f64 = 3.0;
+/// Gap before the bar of what lies past the axis, the bar, and what follows, as shares of the axis.
+const GAP: f64 = 0.06;
+const BAR: f64 = 0.07;
+const REST: f64 = 0.03;
 
 type Drawn<B> = std::result::Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
 type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
@@ -55,10 +59,11 @@ impl<'a> Panel<'a> {
         let (legend, rest) = area.split_vertically(look.size(LEGEND));
         self.draw_legend(&legend, look)?;
         let mut chart = ChartBuilder::on(&rest)
-            .margin_right(look.size(24))
+            .margin_left(look.size(MARGIN))
+            .margin_right(look.size(MARGIN))
             .margin_bottom(look.size(8))
             .x_label_area_size(look.size(58))
-            .y_label_area_size(look.size(72))
+            .y_label_area_size(look.size(LABELS))
             .build_cartesian_2d(self.scale.lower..self.right_end(), 0.0..self.highest())?;
         self.draw_axes(&mut chart, look)?;
         for (number, curve) in self.curves.iter().enumerate() {
@@ -75,23 +80,22 @@ impl<'a> Panel<'a> {
     }
 
     fn draw_legend<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>, look: Look) -> Drawn<B> {
-        let at = |x: i32, y: i32| (look.pixels(x), look.pixels(y));
-        area.draw_text(self.heading(), &look.text(LARGE), at(72, 2))?;
+        let at = |x: i32, y: i32| (look.pixels((MARGIN + LABELS) as i32 + x), look.pixels(y));
+        area.draw_text(self.heading(), &look.text(LARGE), at(0, 2))?;
         let mut top = 2 + LINE;
         for (number, curve) in self.curves.iter().enumerate() {
-            let (left, right) = (72, 72 + SAMPLE);
             if number == 0 {
-                let corners = [at(left, top + 2), at(right, top + 16)];
+                let corners = [at(0, top), at(SAMPLE, top + 14)];
                 area.draw(&Rectangle::new(corners, look.area()))?;
                 area.draw(&Rectangle::new(corners, look.outline()))?;
             } else {
-                area.draw(&PathElement::new([at(left, top + 9), at(right, top + 9)], look.line()))?;
+                area.draw(&PathElement::new([at(0, top + 7), at(SAMPLE, top + 7)], look.line()))?;
             }
-            area.draw_text(&self.figures(curve), &look.text(SMALL), at(right + 10, top))?;
+            area.draw_text(&self.figures(curve), &look.text(SMALL), at(SAMPLE + 10, top))?;
             top += LINE;
         }
         match self.remark() {
-            Some(remark) => area.draw_text(&remark, &look.text(SMALL), at(72 + SAMPLE + 10, top)),
+            Some(remark) => area.draw_text(&remark, &look.text(SMALL), at(SAMPLE + 10, top)),
             None => Ok(()),
         }
     }
@@ -145,7 +149,7 @@ impl<'a> Panel<'a> {
 
     /// Where the horizontal axis ends.
     fn right_end(&self) -> f64 {
-        let bar = if self.has_bar() { (GAP + BAR + 1.0) * self.scale.width } else { 0.0 };
+        let bar = if self.has_bar() { (GAP + BAR + REST) * self.scale.length() } else { 0.0 };
         self.scale.upper() + bar
     }
 
@@ -158,12 +162,11 @@ impl<'a> Panel<'a> {
 
     fn draw_axes<B: DrawingBackend>(&self, chart: &mut Chart<'_, B>, look: Look) -> Drawn<B> {
         let end = self.scale.upper() + 0.5 * self.scale.width;
-        let (across, along) = match self.scale.parameter {
-            Parameter::EdgeRatio => ("longest over shortest edge (no unit)", "edge ratio"),
+        let (across, unit) = match self.scale.parameter {
             Parameter::MinAngle => ("smallest angle of a triangle (degrees)", "°"),
-            _ => ("largest angle of a triangle (degrees)", "°"),
+            Parameter::MaxAngle => ("largest angle of a triangle (degrees)", "°"),
+            _ => ("longest over shortest edge (no unit)", ""),
         };
-        let unit = if along == "°" { "°" } else { "" };
         chart
             .configure_mesh()
             .disable_x_mesh()
@@ -201,8 +204,8 @@ impl<'a> Panel<'a> {
 
     /// Left and right side of the bar.
     fn bar(&self) -> [f64; 2] {
-        let left = self.scale.upper() + GAP * self.scale.width;
-        [left, left + BAR * self.scale.width]
+        let left = self.scale.upper() + GAP * self.scale.length();
+        [left, left + BAR * self.scale.length()]
     }
 
     fn draw_bar_label<B: DrawingBackend>(
