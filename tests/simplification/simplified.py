@@ -41,8 +41,9 @@ def simplified():
 
 def write(path, positions, triangles):
     """All digits of the positions."""
-    rows = [f"{x!r} {y!r} {z!r}" for x, y, z in positions.tolist()] + [f"3 {a} {b} {c}" for a, b, c in triangles.tolist()]
-    path.write_text("\n".join(["OFF", f"{len(positions)} {len(triangles)} 0", *rows, ""]))
+    points = [f"{x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]
+    faces = [f"3 {a} {b} {c}" for a, b, c in triangles.tolist()]
+    path.write_text("\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces, ""]))
 
 
 def read(path):
@@ -77,10 +78,9 @@ def figures(positions, triangles):
 
 
 def show(label, found, deviation=""):
-    print(
-        f"{label:32} {found['triangles']:6} triangles, edge_ratio mean {found['mean']:.3f}, variance {found['variance']:.3f},"
-        f" greatest {found['worst']:.2f}, least angle {found['angle']:.2f}°, below 30° {100 * found['below_30']:.2f} %{deviation}"
-    )
+    ratio = f"edge_ratio mean {found['mean']:.3f}, variance {found['variance']:.3f}, greatest {found['worst']:.2f}"
+    angle = f"least angle {found['angle']:.2f}°, below 30° {100 * found['below_30']:.2f} %"
+    print(f"{label:28} {found['triangles']:6} triangles, {ratio}, {angle}{deviation}")
 
 
 def run(*arguments):
