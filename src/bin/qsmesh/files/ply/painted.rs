@@ -82,7 +82,7 @@ impl Painted {
     /// For vertices: what they have of their own stays.
     fn completing(element: &Element) -> Self {
         let lacks = |name: &&str| element.property(name).is_none();
-        Self { dropped: Vec::new(), adds_quality: lacks(&QUALITY), adds_color: COLOR.iter().all(|name| lacks(&name)) }
+        Self { dropped: Vec::new(), adds_quality: lacks(&QUALITY), adds_color: COLOR.iter().all(lacks) }
     }
 
     /// What to tell the user of it.
