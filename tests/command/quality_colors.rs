@@ -245,7 +245,7 @@ fn what_cannot_hold_it_is_refused() {
         element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float quality\nend_header\n\
         0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0\n";
     let workspace = Workspace::with(&[("a.ply", list.as_bytes())]);
-    let message = workspace.refused(&["smooth", "a.ply", "-o", "b.ply", "--quality-colors"]);
+    let message = workspace.refused(&["smooth", "a.ply", "-o", "b.ply", "--quality-colors", "--plot", "p.svg"]);
     assert!(message.contains("property `quality` of element `face` is a list"), "{message}");
     for subcommand in ["smooth", "improve", "collapse-tails"] {
         for output in ["b.obj", "b.off", "b.stl"] {
