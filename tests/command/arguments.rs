@@ -42,7 +42,9 @@ fn assert_help(help: &str, options: &[(&str, &str)]) {
         assert!(text.contains(&format!("[default: {default}]")), "{option}: {text}");
         assert!(text.contains("Range") || text.contains("Possible values"), "{option}: {text}");
     }
-    assert!(help.contains("--max-deviation") && help.contains("--json") && help.contains("--quiet"));
+    for option in ["--max-deviation", "--json", "--quiet", "--plot <FILE>", "--quality-colors[=<STATE>]"] {
+        assert!(help.contains(option), "{option} is missing");
+    }
 }
 
 #[test]

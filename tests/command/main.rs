@@ -10,6 +10,8 @@ mod meshes;
 mod obj;
 mod off;
 mod output;
+mod plot;
 mod ply;
+mod quality_colors;
 mod stl;
 mod workspace;

@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use qsmesh::{Options, TailOptions};
 
-use crate::files::Positions;
+use crate::files::{Format, Positions};
+use crate::plot::PlotFile;
 
 const EXAMPLES: &str = "\
 Formats by extension: .ply (ASCII and binary), .obj, .off, .stl.
@@ -30,7 +32,7 @@ pub enum Command {
     Improve(ImproveArguments),
     /// Cure the bad triangles of a mesh file by collapses, removals and flips, without smoothing the rest.
     CollapseTails(CollapseTailsArguments),
-    /// Measure the quality of a mesh file. Nothing is written.
+    /// Measure the quality of a mesh file. Nothing is written but a plot that is asked for.
     Measure(MeasureArguments),
     /// Make a mesh with bad triangles, smooth it and write both.
     Demo(DemoArguments),
@@ -96,6 +98,19 @@ pub struct FileArguments {
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
 
+    /// Draw the histograms of edge ratio, smallest and largest angle, before against after, into a picture, .svg or
+    /// .png. Default: none.
+    #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(PlotFile::new))]
+    pub plot: Option<PlotFile>,
+
+    /// Write how good each triangle was or is into OUT, which must be PLY: its mean-ratio shape (0 no area, 1
+    /// equilateral) as the faces' property `quality`, and its colour, dark where it is bad, in place of their own; each
+    /// vertex that has none of its own gets those of the worst triangle around it. Default: neither; without a value:
+    /// before.
+    #[arg(long, value_enum, value_name = "STATE", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "before")]
+    pub quality_colors: Option<Shown>,
+
     /// Write the report as one JSON object to stdout instead of the table.
     #[arg(long)]
     pub json: bool,
@@ -103,6 +118,18 @@ pub struct FileArguments {
     /// No table, no notes and no progress bar; errors and --json are still written.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+impl FileArguments {
+    /// Ends the process with a usage error of `subcommand` if OUT cannot hold what is asked for.
+    pub fn require_valid(&self, subcommand: &str) {
+        // What is no mesh file at all is told later, with what the name lacks.
+        let other = Format::of(&self.output).ok().filter(|&format| format != Format::Ply);
+        if let Some(format) = other.filter(|_| self.quality_colors.is_some()) {
+            let output = self.output.display();
+            usage_error(subcommand, format!("--quality-colors needs a .ply file to write, but {output} is {format}"));
+        }
+    }
 }
 
 /// Settings of the treatment of the tail. Edges along which texture coordinates, materials or groups part are kept.
@@ -216,6 +243,10 @@ pub struct MeasureArguments {
     /// Write the measurement as one JSON object to stdout instead of the table.
     #[arg(long)]
     pub json: bool,
+
+    /// Draw the histograms of edge ratio, smallest and largest angle into a picture, .svg or .png. Default: none.
+    #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(PlotFile::new))]
+    pub plot: Option<PlotFile>,
 }
 
 /// Arguments of `qsmesh demo`.
@@ -224,6 +255,15 @@ pub struct DemoArguments {
     /// Folder for demo_before.ply and demo_after.ply; it must exist.
     #[arg(short, long, value_name = "FOLDER", default_value = ".")]
     pub output: PathBuf,
+}
+
+/// `--quality-colors`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Shown {
+    /// The triangles of IN; a triangle that is another now shows the one whose place it took.
+    Before,
+    /// The triangles of OUT.
+    After,
 }
 
 /// `--plane`.
@@ -424,11 +464,16 @@ fn require_valid(checked: Result<(), qsmesh::Error>, subcommand: &str, prefix: &
     if let Err(qsmesh::Error::BadOption { name, value }) = checked {
         let option = name.replace('_', "-");
         let message = format!("{value} is outside the range of --{prefix}{option}; see `qsmesh {subcommand} --help`");
-        let mut command = Arguments::command();
-        command.build();
-        let found = command.find_subcommand_mut(subcommand).cloned();
-        found.unwrap_or(command).error(ErrorKind::ValueValidation, message).exit();
+        usage_error(subcommand, message);
     }
+}
+
+/// Ends the process with a usage error of `subcommand`.
+fn usage_error(subcommand: &str, message: String) -> ! {
+    let mut command = Arguments::command();
+    command.build();
+    let found = command.find_subcommand_mut(subcommand).cloned();
+    found.unwrap_or(command).error(ErrorKind::ValueValidation, message).exit()
 }
 
 #[cfg(test)]

@@ -17,10 +17,10 @@ pub fn run(arguments: &DemoArguments) -> Result<()> {
     let after = Target::prepare(&arguments.output.join("demo_after.ply"))?;
     let (points, triangles) = isosurface::extract(isosurface::tangle, 3.0, CELLS);
     let mesh = MeshFile::new(Positions::F64(points), triangles);
-    mesh.save(&before, &Revision::of_positions(mesh.positions.clone()))?;
+    mesh.save(&before, &Revision::of_positions(mesh.positions.clone()), None)?;
     let mut positions = mesh.positions.clone();
     let report = smooth(&mesh, &mut positions, &Options::default(), false)?;
-    mesh.save(&after, &Revision::of_positions(positions))?;
+    mesh.save(&after, &Revision::of_positions(positions), None)?;
     console::note(format_args!("wrote {} and {}", before.path().display(), after.path().display()));
     console::result(&table::of_report(&report))
 }

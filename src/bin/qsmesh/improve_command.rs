@@ -4,13 +4,15 @@ use qsmesh::{Constraints, Improvement, Options, Report, Sources, TailOptions};
 
 use crate::arguments::{CollapseTailsArguments, FileArguments, ImproveArguments, MethodArguments, TailArguments};
 use crate::failure::{Failure, Result};
-use crate::files::{MeshFile, Positions, Revision, Target};
+use crate::files::{MeshFile, Positions, Revision};
+use crate::output::Output;
 use crate::smooth_command::{explain, smooth_file, tell};
 use crate::{console, json, table};
 
 /// `qsmesh improve`.
 pub fn run(arguments: &ImproveArguments) -> Result<()> {
     let ImproveArguments { files, keep_tails, tail, sweeps, method } = arguments;
+    files.require_valid("improve");
     method.require_valid(sweeps.iterations, "improve");
     tail.require_valid("improve");
     if *keep_tails { smooth_file(files, sweeps, method) } else { improve_file(files, sweeps.iterations, method, tail) }
@@ -18,6 +20,7 @@ pub fn run(arguments: &ImproveArguments) -> Result<()> {
 
 /// `qsmesh collapse-tails`.
 pub fn run_without_sweeps(arguments: &CollapseTailsArguments) -> Result<()> {
+    arguments.files.require_valid("collapse-tails");
     arguments.method.require_valid(0, "collapse-tails");
     arguments.tail.require_valid("collapse-tails");
     improve_file(&arguments.files, 0, &arguments.method, &arguments.tail)
@@ -25,15 +28,15 @@ pub fn run_without_sweeps(arguments: &CollapseTailsArguments) -> Result<()> {
 
 /// Reads, improves, writes, reports.
 fn improve_file(files: &FileArguments, sweeps: u32, method: &MethodArguments, tail: &TailArguments) -> Result<()> {
-    let target = Target::prepare(&files.output)?;
+    let output = Output::prepare(files)?;
     let file = MeshFile::read(&files.input)?;
     require_triangles(&file).map_err(|failure| failure.in_file(&files.input))?;
-    let positions = file.positions_for(target.format());
+    let positions = file.positions_for(output.format());
     let options = method.options(sweeps, &positions);
     let (revision, improvement) = improve(&file, positions, &options, &tail.options(), files.quiet)
         .map_err(|failure| failure.in_file(&files.input))?;
-    let notes = file.save(&target, &revision)?;
     let (whole, tail) = (whole(&improvement), &improvement.tail);
+    let notes = output.write(&files.input, &file, &revision, &whole)?;
     tell(files, &notes, || json::of_improvement(&whole, tail), || table::of_improvement(&whole, tail))
 }
 

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod colormap;
 mod console;
 mod demo_command;
 mod failure;
@@ -10,6 +11,9 @@ mod improve_command;
 mod isosurface;
 mod json;
 mod measure_command;
+mod output;
+mod plot;
+mod quality_colors;
 mod smooth_command;
 mod table;
 

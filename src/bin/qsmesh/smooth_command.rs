@@ -5,24 +5,26 @@ use qsmesh::{Constraints, Error, Options, Report};
 use crate::arguments::{FileArguments, MethodArguments, SmoothArguments, SweepArguments};
 use crate::console;
 use crate::failure::{Failure, Result};
-use crate::files::{MeshFile, Positions, Revision, Target};
+use crate::files::{MeshFile, Positions, Revision};
+use crate::output::Output;
 use crate::{json, table};
 
 /// `qsmesh smooth`.
 pub fn run(arguments: &SmoothArguments) -> Result<()> {
+    arguments.files.require_valid("smooth");
     arguments.method.require_valid(arguments.sweeps.iterations, "smooth");
     smooth_file(&arguments.files, &arguments.sweeps, &arguments.method)
 }
 
 /// Reads, smooths, writes, reports.
 pub fn smooth_file(files: &FileArguments, sweeps: &SweepArguments, method: &MethodArguments) -> Result<()> {
-    let target = Target::prepare(&files.output)?;
+    let output = Output::prepare(files)?;
     let file = MeshFile::read(&files.input)?;
-    let mut positions = file.positions_for(target.format());
+    let mut positions = file.positions_for(output.format());
     let options = method.options(sweeps.iterations, &positions);
     let report =
         smooth(&file, &mut positions, &options, files.quiet).map_err(|failure| failure.in_file(&files.input))?;
-    let notes = file.save(&target, &Revision::of_positions(positions))?;
+    let notes = output.write(&files.input, &file, &Revision::of_positions(positions), &report)?;
     tell(files, &notes, || json::of_report(&report), || table::of_report(&report))
 }
 

@@ -1,5 +1,7 @@
 //! Faces of a file: triangles for the library, polygons remembered.
 
+use std::ops::Range;
+
 use crate::failure::{Failure, Result};
 
 /// A face that is no triangle.
@@ -61,6 +63,19 @@ impl Faces {
         self.polygons.first().map(|polygon| (polygon.first_triangle, polygon.corners.len()))
     }
 
+    /// The triangles of each face, in the order of the file; none for a face with too few corners.
+    pub fn fans(&self) -> Vec<Range<usize>> {
+        let mut fans = Vec::with_capacity(self.count);
+        let mut next = 0;
+        for polygon in &self.polygons {
+            fans.extend((next..polygon.first_triangle).map(|triangle| triangle..triangle + 1));
+            next = polygon.first_triangle + polygon.corners.len().saturating_sub(2);
+            fans.push(polygon.first_triangle..next);
+        }
+        fans.extend((next..self.triangles.len()).map(|triangle| triangle..triangle + 1));
+        fans
+    }
+
     /// Calls `visit` with the corners of each face in the order of the file.
     pub fn each(&self, mut visit: impl FnMut(&[u32]) -> Result<()>) -> Result<()> {
         let mut next = 0;
@@ -94,6 +109,7 @@ mod tests {
         let fan = [[0, 1, 2], [3, 4, 5], [3, 5, 6], [3, 6, 7], [1, 2, 3], [4, 5, 6], [4, 6, 7]];
         assert_eq!(faces.triangles, fan);
         assert_eq!(faces.first_polygon(), Some((0, 2)));
+        assert_eq!(faces.fans(), [0..0, 0..1, 1..4, 4..4, 4..5, 5..7]);
         let mut seen: Vec<Vec<i64>> = Vec::new();
         let remember = |corners: &[u32]| {
             seen.push(corners.iter().map(|&x| i64::from(x)).collect());

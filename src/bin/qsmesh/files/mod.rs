@@ -5,6 +5,7 @@ mod format;
 mod normals;
 mod obj;
 mod off;
+mod paint;
 mod ply;
 mod positions;
 mod revision;
@@ -12,6 +13,7 @@ mod save;
 mod seams;
 mod splice;
 mod stl;
+mod target;
 mod text;
 
 use std::fs;
@@ -20,9 +22,11 @@ use std::path::Path;
 
 pub use self::faces::Faces;
 pub use self::format::Format;
+pub use self::paint::{Paint, Tint};
 pub use self::positions::Positions;
 pub use self::revision::Revision;
-pub use self::save::Target;
+pub use self::save::{Place, Staged};
+pub use self::target::Target;
 use crate::failure::{Failure, Result};
 
 /// A mesh as its file holds it.
@@ -101,17 +105,17 @@ impl MeshFile {
     }
 
     /// Writes the mesh as it has become; its positions come from [`positions_for`](Self::positions_for) the target's
-    /// format. Within one format everything else is kept. Returns what to tell the user.
-    pub fn save(&self, target: &Target, new: &Revision) -> Result<Vec<String>> {
+    /// format. Within one format everything else is kept. Only PLY takes `paint`. Returns what to tell the user.
+    pub fn save(&self, target: &Target, new: &Revision, paint: Option<&Paint>) -> Result<Vec<String>> {
         let mut notes = Vec::new();
         let (old, faces) = (&self.positions, &self.faces);
         target.write(|out| {
             notes = match (&self.carrier, target.format()) {
-                (Carrier::Ply(carrier), Format::Ply) => carrier.write(out, old, new, faces)?,
+                (Carrier::Ply(carrier), Format::Ply) => carrier.write(out, old, new, faces, paint)?,
                 (Carrier::Obj(carrier), Format::Obj) => carrier.write(out, old, new, faces)?,
                 (Carrier::Off(carrier), Format::Off) => carrier.write(out, old, new, faces)?,
                 (Carrier::Stl(carrier), Format::Stl) => carrier.write(out, old, new, faces)?,
-                (_, format) => self.convert(format, out, new)?,
+                (_, format) => self.convert(format, out, new, paint)?,
             };
             Ok(())
         })?;
@@ -119,11 +123,11 @@ impl MeshFile {
     }
 
     /// Writes positions and faces alone. Returns what was left behind.
-    fn convert(&self, format: Format, out: impl Write, new: &Revision) -> Result<Vec<String>> {
+    fn convert(&self, format: Format, out: impl Write, new: &Revision, paint: Option<&Paint>) -> Result<Vec<String>> {
         let remeshed = new.is_remeshed().then(|| Faces::of_triangles(new.triangles(&self.faces).to_vec()));
         let (positions, faces) = (&new.positions, remeshed.as_ref().unwrap_or(&self.faces));
         match format {
-            Format::Ply => ply::write_fresh(out, positions, faces)?,
+            Format::Ply => ply::write_fresh(out, positions, faces, paint)?,
             Format::Obj => obj::write_fresh(out, positions, faces)?,
             Format::Off => off::write_fresh(out, positions, faces)?,
             Format::Stl => stl::write_fresh(out, positions, faces)?,

@@ -82,6 +82,11 @@ impl Revision {
         self.remesh.as_ref().map_or(face..face + 1, |remesh| remesh.starts[face]..remesh.starts[face + 1])
     }
 
+    /// How many faces there are now.
+    pub fn face_count(&self, faces: &Faces) -> usize {
+        self.remesh.as_ref().map_or(faces.len(), |remesh| remesh.triangles.len())
+    }
+
     /// Former corners (3 × face + 0, 1 or 2) that the corners of `triangle` came from.
     pub fn corners(&self, triangle: usize) -> [usize; 3] {
         [0, 1, 2].map(|k| match &self.remesh {

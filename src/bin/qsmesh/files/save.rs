@@ -6,21 +6,25 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::Format;
 use crate::failure::{Failure, Result};
 
 /// A place to write to that was looked at before the work began.
 #[derive(Debug)]
-pub struct Target {
+pub struct Place {
     path: PathBuf,
     folder: PathBuf,
-    format: Format,
 }
 
-impl Target {
-    /// Looks at `path`: its format must be known, its folder must exist, and whatever is there must be a plain file.
+/// A whole file beside its place; it goes when this goes.
+#[derive(Debug)]
+pub struct Staged {
+    file: NamedTempFile,
+    path: PathBuf,
+}
+
+impl Place {
+    /// Looks at `path`: its folder must exist, and whatever is there must be a plain file.
     pub fn prepare(path: &Path) -> Result<Self> {
-        let format = Format::of(path)?;
         // A link stays a link: what it points to is replaced.
         let path = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
         if path.exists() && !path.is_file() {
@@ -33,12 +37,7 @@ impl Target {
         if !folder.is_dir() {
             return Err(Failure::new(format!("{}: the folder {} does not exist", path.display(), folder.display())));
         }
-        Ok(Self { path, folder, format })
-    }
-
-    /// What the file is to hold.
-    pub fn format(&self) -> Format {
-        self.format
+        Ok(Self { path, folder })
     }
 
     /// Where the file goes.
@@ -46,9 +45,14 @@ impl Target {
         &self.path
     }
 
-    /// Lets `content` write a file beside the target and puts it in the target's place once it is whole. On an error
-    /// the target is as it was.
+    /// Lets `content` write a file beside the place and puts it there once it is whole. On an error what is there stays
+    /// as it was.
     pub fn write(&self, content: impl FnOnce(&mut BufWriter<&File>) -> Result<()>) -> Result<()> {
+        self.stage(content)?.put()
+    }
+
+    /// Lets `content` write a file beside the place, where it waits.
+    pub fn stage(&self, content: impl FnOnce(&mut BufWriter<&File>) -> Result<()>) -> Result<Staged> {
         let refused = |error| Failure::of_path(&self.path, &error);
         let file = self.file_beside().map_err(refused)?;
         let mut out = BufWriter::with_capacity(1 << 16, file.as_file());
@@ -56,11 +60,10 @@ impl Target {
         out.flush().map_err(refused)?;
         drop(out);
         file.as_file().sync_all().map_err(refused)?;
-        file.persist(&self.path).map_err(|failed| refused(failed.error))?;
-        Ok(())
+        Ok(Staged { file, path: self.path.clone() })
     }
 
-    /// An empty file in the target's folder, with the target's permissions where it exists.
+    /// An empty file in the same folder, with the permissions of what is replaced, if anything is.
     fn file_beside(&self) -> std::io::Result<NamedTempFile> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(".qsmesh-");
@@ -74,6 +77,15 @@ impl Target {
             let _ = file.as_file().set_permissions(existing.permissions());
         }
         Ok(file)
+    }
+}
+
+impl Staged {
+    /// Puts the file in its place.
+    pub fn put(self) -> Result<()> {
+        let Self { file, path } = self;
+        file.persist(&path).map_err(|failed| Failure::of_path(&path, &failed.error))?;
+        Ok(())
     }
 }
 
@@ -95,7 +107,7 @@ mod tests {
     use std::fs;
     use std::io::Write;
 
-    use super::Target;
+    use super::Place;
     use crate::failure::Failure;
 
     #[test]
@@ -103,12 +115,26 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.off");
         fs::write(&path, "old").unwrap();
-        let failed = Target::prepare(&path).unwrap().write(|out| {
+        let failed = Place::prepare(&path).unwrap().write(|out| {
             out.write_all(b"half of it")?;
             Err(Failure::new("stop"))
         });
         assert!(failed.unwrap_err().to_string().ends_with("a.off: stop"));
         assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_staged_file_waits_or_goes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        let stage = || Place::prepare(&path).unwrap().stage(|out| Ok(out.write_all(b"new")?)).unwrap();
+        drop(stage());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        let staged = stage();
+        assert!(!path.exists());
+        staged.put().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
@@ -121,7 +147,7 @@ mod tests {
         fs::write(&path, "old").unwrap();
         fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
         symlink(&path, &link).unwrap();
-        Target::prepare(&link).unwrap().write(|out| Ok(out.write_all(b"new")?)).unwrap();
+        Place::prepare(&link).unwrap().write(|out| Ok(out.write_all(b"new")?)).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
         assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());

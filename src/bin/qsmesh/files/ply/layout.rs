@@ -20,6 +20,8 @@ const REGIONS: [&str; 2] = ["texnumber", "material_index"];
 pub struct Property {
     pub name: String,
     pub kind: PropertyType,
+    /// Its line in the header, with the end.
+    pub line: Range<usize>,
 }
 
 impl Property {
@@ -37,11 +39,14 @@ pub struct Element {
     pub count: usize,
     /// Where the count is written in the header.
     pub count_place: Range<usize>,
+    /// Its line in the header, with the end.
+    pub line: Range<usize>,
     pub properties: Vec<Property>,
 }
 
 impl Element {
-    fn property(&self, name: &str) -> Option<usize> {
+    /// The property of that name.
+    pub fn property(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|property| property.name == name)
     }
 
@@ -95,8 +100,7 @@ impl Layout {
         let payload = end_of_header(bytes)?;
         let text = String::from_utf8_lossy(&bytes[..payload]);
         let header = parse_header(&text)?;
-        let elements = elements(&header, &count_places(&bytes[..payload]))?;
-        check_repetitions(&text, &elements)?;
+        let elements = elements(&header, &bytes[..payload])?;
         let find = |name: &str| elements.iter().position(|element| element.name == name);
         let vertex = find("vertex").ok_or_else(|| Failure::new("the header declares no element `vertex`"))?;
         if find("tristrips").is_some() {
@@ -215,45 +219,46 @@ fn parse_header(text: &str) -> Result<Header> {
     })
 }
 
-/// Places of the last word of each line that declares an element.
-fn count_places(header: &[u8]) -> Vec<Range<usize>> {
-    let declared = |line: Line| {
-        let text = &header[line.span.clone()];
-        let is_element = text.split(u8::is_ascii_whitespace).find(|word| !word.is_empty()) == Some(b"element");
-        let end = line.span.start + text.trim_ascii_end().len();
-        let start = header[..end].iter().rposition(u8::is_ascii_whitespace).map_or(0, |at| at + 1);
-        is_element.then_some(start..end)
+/// The lines that begin with `word`.
+fn declarations(header: &[u8], word: &[u8]) -> Vec<Line> {
+    let declares = |line: &Line| {
+        header[line.span.clone()].split(u8::is_ascii_whitespace).find(|word| !word.is_empty()) == Some(word)
     };
-    Lines::of(header).filter_map(declared).collect()
+    Lines::of(header).filter(declares).collect()
 }
 
-/// Fails where the header has not one line for each element.
-fn elements(header: &Header, count_places: &[Range<usize>]) -> Result<Vec<Element>> {
-    if count_places.len() != header.elements.len() {
+/// Place of the last word of a line.
+fn last_word(header: &[u8], line: &Line) -> Range<usize> {
+    let end = line.span.start + header[line.span.clone()].trim_ascii_end().len();
+    let start = header[..end].iter().rposition(u8::is_ascii_whitespace).map_or(0, |at| at + 1);
+    start..end
+}
+
+/// Fails where a declaration has not one line: the parser lets a later one of the same name replace the earlier, which
+/// would misread every row.
+fn elements(header: &Header, bytes: &[u8]) -> Result<Vec<Element>> {
+    let (lines, properties) = (declarations(bytes, b"element"), declarations(bytes, b"property"));
+    if lines.len() != header.elements.len() {
         return Err(Failure::new("the header declares two elements of the same name"));
     }
-    let element = |((name, element), place): ((&String, &ply_rs_bw::ply::ElementDef), &Range<usize>)| Element {
-        name: name.clone(),
-        count: element.count,
-        count_place: place.clone(),
-        properties: element
-            .properties
-            .iter()
-            .map(|(name, property)| Property { name: name.clone(), kind: property.data_type.clone() })
-            .collect(),
-    };
-    Ok(header.elements.iter().zip(count_places).map(element).collect())
-}
-
-/// The parser lets a later declaration of the same name replace the earlier one, which would misread every row.
-fn check_repetitions(text: &str, elements: &[Element]) -> Result<()> {
-    let is_property = |line: &&str| line.split_ascii_whitespace().next() == Some("property");
-    if text.lines().filter(is_property).count()
-        != elements.iter().map(|element| element.properties.len()).sum::<usize>()
-    {
+    if properties.len() != header.elements.iter().map(|(_, element)| element.properties.len()).sum::<usize>() {
         return Err(Failure::new("the header declares two properties of the same name in one element"));
     }
-    Ok(())
+    let mut properties = properties.into_iter().map(|line| line.span.start..line.full_end);
+    let mut elements = Vec::with_capacity(lines.len());
+    for ((name, element), line) in header.elements.iter().zip(&lines) {
+        let named = element.properties.iter().zip(&mut properties);
+        elements.push(Element {
+            name: name.clone(),
+            count: element.count,
+            count_place: last_word(bytes, line),
+            line: line.span.start..line.full_end,
+            properties: named
+                .map(|((name, property), line)| Property { name: name.clone(), kind: property.data_type.clone(), line })
+                .collect(),
+        });
+    }
+    Ok(elements)
 }
 
 fn coordinates(vertex: &Element) -> Result<[usize; 3]> {

@@ -8,6 +8,7 @@
 mod fresh;
 mod layout;
 mod numbers;
+mod painted;
 mod rows;
 mod seams;
 mod write;
@@ -19,9 +20,11 @@ use ply_rs_bw::ply::ScalarType;
 pub use self::fresh::write_fresh;
 use self::layout::Layout;
 use self::numbers::{Binary, integer, number};
+use self::painted::Brush;
 use self::rows::{Row, walk};
 use self::write::Writer;
 use super::faces::Faces;
+use super::paint::Paint;
 use super::positions::{Positions, Stored};
 use super::revision::Revision;
 use crate::failure::{Failure, Result};
@@ -113,7 +116,15 @@ impl Carrier {
     }
 
     /// Writes the file as it has become. Returns what to tell the user.
-    pub fn write(&self, out: impl Write, old: &Positions, new: &Revision, faces: &Faces) -> Result<Vec<String>> {
-        Writer::new(&self.bytes, &self.layout, old, new, faces)?.write(out)
+    pub fn write(
+        &self,
+        out: impl Write,
+        old: &Positions,
+        new: &Revision,
+        faces: &Faces,
+        paint: Option<&Paint>,
+    ) -> Result<Vec<String>> {
+        let brush = paint.map(|paint| Brush::new(paint, &self.layout)).transpose()?;
+        Writer::new(&self.bytes, &self.layout, old, new, faces, brush)?.write(out)
     }
 }

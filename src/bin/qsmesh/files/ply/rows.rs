@@ -16,6 +16,8 @@ pub struct Row {
     pub line: Option<usize>,
     /// All of it, with the end of its line.
     pub whole: Range<usize>,
+    /// Where the last declared value ends; in text more may follow on the line.
+    pub end: usize,
     values: Vec<Range<usize>>,
     starts: Vec<usize>,
 }
@@ -100,6 +102,7 @@ impl<'a> Source<'a> {
                     }
                 }
                 row.whole = start..*at;
+                row.end = *at;
                 Ok(true)
             }
         }
@@ -109,7 +112,8 @@ impl<'a> Source<'a> {
 fn read_line(bytes: &[u8], line: Line, element: &Element, row: &mut Row) -> Result<()> {
     row.clear(Some(line.number));
     row.whole = line.span.start..line.full_end;
-    let mut tokens = tokens(bytes, line.span);
+    let mut end = line.span.start;
+    let mut tokens = tokens(bytes, line.span).inspect(|token| end = token.end);
     let missing = |name: &str| Failure::at_line(line.number, format!("the value of property `{name}` is missing"));
     for property in &element.properties {
         let mut count = 1;
@@ -123,6 +127,8 @@ fn read_line(bytes: &[u8], line: Line, element: &Element, row: &mut Row) -> Resu
         }
         row.close_property();
     }
+    drop(tokens);
+    row.end = end;
     Ok(())
 }
 

@@ -8,6 +8,7 @@ use ply_rs_bw::ply::{Encoding, ScalarType};
 
 use super::layout::{Edit, Layout, Number};
 use super::numbers::{integer, written, written_integer};
+use super::painted::Brush;
 use super::rows::{Row, walk};
 use crate::failure::Result;
 use crate::files::faces::Faces;
@@ -35,6 +36,7 @@ pub struct Writer<'a> {
     lenders: HashMap<usize, Row>,
     renews_normals: bool,
     renews_face_normals: bool,
+    brush: Option<Brush<'a>>,
 }
 
 impl<'a> Writer<'a> {
@@ -44,6 +46,7 @@ impl<'a> Writer<'a> {
         old: &'a Positions,
         revision: &'a Revision,
         faces: &'a Faces,
+        brush: Option<Brush<'a>>,
     ) -> Result<Self> {
         let changes = revision.changes(old, faces);
         let renews_normals = layout.normals.is_some() && changes;
@@ -61,6 +64,7 @@ impl<'a> Writer<'a> {
             lenders: HashMap::new(),
             renews_normals,
             renews_face_normals: layout.face_normals.is_some() && changes && faces.polygons.is_empty(),
+            brush,
         };
         if renews_normals {
             writer.normals = normals::of_vertices(&revision.positions, revision.triangles(faces));
@@ -75,7 +79,7 @@ impl<'a> Writer<'a> {
     pub fn write(&self, out: impl Write) -> Result<Vec<String>> {
         let dropped = self.count_dropped()?;
         let mut splice = Splice::new(self.bytes, out);
-        self.write_counts(&mut splice, &dropped)?;
+        self.write_header(&mut splice, &dropped)?;
         let (mut vertex, mut face) = (0, 0);
         walk(self.bytes, self.layout, |element, row| {
             if element == self.layout.vertex {
@@ -89,7 +93,9 @@ impl<'a> Writer<'a> {
             }
         })?;
         splice.finish()?;
-        Ok(self.notes(&dropped))
+        let mut notes = self.notes(&dropped);
+        notes.extend(self.brush.iter().flat_map(|brush| brush.notes(self.layout)));
+        Ok(notes)
     }
 
     fn notes(&self, dropped: &[usize]) -> Vec<String> {
@@ -119,7 +125,15 @@ impl<'a> Writer<'a> {
         Ok(dropped)
     }
 
-    fn write_counts(&self, splice: &mut Splice<'_, impl Write>, dropped: &[usize]) -> Result<()> {
+    fn write_header(&self, splice: &mut Splice<'_, impl Write>, dropped: &[usize]) -> Result<()> {
+        let mut changes = self.count_changes(dropped);
+        changes.extend(self.brush.iter().flat_map(|brush| brush.header_changes(self.layout, self.bytes)));
+        changes.sort_by_key(|(place, _)| place.start);
+        changes.into_iter().try_for_each(|(place, new)| Ok(splice.replace(place, &new)?))
+    }
+
+    fn count_changes(&self, dropped: &[usize]) -> Vec<Change> {
+        let mut changes = Vec::new();
         for (number, element) in self.layout.elements.iter().enumerate() {
             let count = if number == self.layout.vertex {
                 self.revision.positions.len()
@@ -129,10 +143,10 @@ impl<'a> Writer<'a> {
                 element.count - dropped[number]
             };
             if count != element.count {
-                splice.replace(element.count_place.clone(), count.to_string().as_bytes())?;
+                changes.push((element.count_place.clone(), count.to_string().into_bytes()));
             }
         }
-        Ok(())
+        changes
     }
 
     fn write_vertex(&self, splice: &mut Splice<'_, impl Write>, row: &Row, former: usize) -> Result<()> {
@@ -150,7 +164,8 @@ impl<'a> Writer<'a> {
                 splice.replace(row.of(edit.property)[0].clone(), &number)?;
             }
         }
-        Ok(())
+        let mut painted = self.brush.iter().flat_map(|brush| brush.vertex_changes(row, self.layout.encoding, vertex));
+        painted.try_for_each(|(place, new)| Ok(splice.replace(place, &new)?))
     }
 
     fn coordinate(&self, vertex: usize, axis: usize) -> Vec<u8> {
@@ -168,7 +183,7 @@ impl<'a> Writer<'a> {
     }
 
     fn write_face(&self, splice: &mut Splice<'_, impl Write>, row: &Row, face: usize) -> Result<()> {
-        if !self.revision.is_remeshed() && !self.renews_face_normals {
+        if !self.revision.is_remeshed() && !self.renews_face_normals && self.brush.is_none() {
             return Ok(());
         }
         let of = |triangle| changed(self.bytes, row.whole.clone(), &self.face_changes(row, face, triangle));
@@ -177,8 +192,21 @@ impl<'a> Writer<'a> {
         Ok(splice.replace(row.whole.clone(), &rows)?)
     }
 
-    /// What makes the row of `face` that of `triangle`.
-    fn face_changes(&self, row: &Row, face: usize, triangle: usize) -> Vec<Change> {
+    /// What makes the row of `face` that of `successor`, in rising order.
+    fn face_changes(&self, row: &Row, face: usize, successor: usize) -> Vec<Change> {
+        let mut changes = Vec::new();
+        // Only where all faces are triangles do they have the numbers of triangles.
+        if self.revision.is_remeshed() || self.renews_face_normals {
+            changes = self.triangle_changes(row, face, successor);
+        }
+        if let Some(brush) = &self.brush {
+            changes.extend(brush.face_changes(row, self.layout.encoding, successor));
+        }
+        changes.sort_by_key(|(place, _)| place.start);
+        changes
+    }
+
+    fn triangle_changes(&self, row: &Row, face: usize, triangle: usize) -> Vec<Change> {
         let Some((element, indices)) = self.layout.face else { return Vec::new() };
         let corners = self.revision.triangles(self.faces)[triangle];
         let mut changes = Vec::new();
@@ -194,7 +222,6 @@ impl<'a> Writer<'a> {
                 changes.push((row.of(property)[0].clone(), self.direction(element, property, value)));
             }
         }
-        changes.sort_by_key(|(place, _)| place.start);
         changes
     }
 

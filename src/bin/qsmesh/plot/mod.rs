@@ -1,0 +1,11 @@
+//! Histograms of the quality before and after, as a picture.
+
+mod bins;
+mod file;
+mod format;
+mod look;
+mod panel;
+mod picture;
+
+pub use self::file::{Plot, PlotFile};
+pub use self::picture::{Picture, State};
