@@ -1,0 +1,1 @@
+//! The command where the machine lets it down.

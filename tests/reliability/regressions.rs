@@ -1,0 +1,1 @@
+//! What fuzzing has found, as it was found.
