@@ -73,7 +73,9 @@ pub fn tails() -> Vec<TailOptions<'static>> {
         min_angle: 60.0_f64.next_down(),
         max_angle: 60.0_f64.next_up(),
         flips: true,
-        attempts: 4,
+        attempts: 1,
+        // A call with all of a mesh in the tail takes seconds.
+        operations: Some(60),
         ..TailOptions::default()
     };
     vec![

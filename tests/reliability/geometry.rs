@@ -55,7 +55,7 @@ fn the_tail_holds_its_promises_under_extreme_options() {
     for (name, (positions, triangles)) in shapes::all() {
         for (k, options) in extremes::options().iter().enumerate() {
             let name = format!("{name}, options {k}");
-            let tail = TailOptions { min_angle: 30.0, max_angle: 110.0, ..TailOptions::default() };
+            let tail = TailOptions { operations: Some(30), ..TailOptions::default() };
             assert_improves(&name, (&positions, &triangles), options, &tail, rounding(&name));
         }
     }
