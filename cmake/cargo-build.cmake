@@ -1,7 +1,7 @@
 # Target qsmesh_cargo: both libraries in lib/ of the build folder, under the names that they keep when installed.
 find_program(QSMESH_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" DOC "Builds the Rust sources")
 if(NOT QSMESH_CARGO)
-    message(FATAL_ERROR "qsmesh: cargo is missing; it comes with Rust 1.88 or newer")
+    message(FATAL_ERROR "qsmesh: cargo is missing; it comes with Rust 1.89 or newer")
 endif()
 
 set(QSMESH_CARGO_FOLDER "${CMAKE_CURRENT_BINARY_DIR}/cargo" CACHE PATH "Where cargo keeps what it compiles")

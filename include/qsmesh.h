@@ -958,6 +958,30 @@ qsm_status qsm_histogram_f64(const double *positions,
                              size_t bin_count);
 
 /**
+ * Writes the value of parameter for each triangle to values, which has room for index_count / 3 numbers: infinite where
+ * a triangle without area has none that is finite. Buffers are as for qsm_smooth_f32 and are not changed; values is
+ * overwritten only if the call returns QSM_OK.
+ */
+qsm_status qsm_triangle_quality_f32(const float *positions,
+                                    size_t vertex_count,
+                                    size_t stride_bytes,
+                                    const uint32_t *indices,
+                                    size_t index_count,
+                                    qsm_parameter parameter,
+                                    double *values);
+
+/**
+ * The same as qsm_triangle_quality_f32 for coordinates in double precision.
+ */
+qsm_status qsm_triangle_quality_f64(const double *positions,
+                                    size_t vertex_count,
+                                    size_t stride_bytes,
+                                    const uint32_t *indices,
+                                    size_t index_count,
+                                    qsm_parameter parameter,
+                                    double *values);
+
+/**
  * English text for a status; "unknown status" for any other number. Never NULL, lives for ever, not to be freed.
  */
 const char *qsm_status_string(qsm_status status);

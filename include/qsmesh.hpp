@@ -97,6 +97,7 @@ template <> struct calls<float> {
     static constexpr auto improve = &qsm_improve_f32;
     static constexpr auto measure = &qsm_measure_f32;
     static constexpr auto histogram = &qsm_histogram_f32;
+    static constexpr auto triangle_quality = &qsm_triangle_quality_f32;
 };
 template <> struct calls<double> {
     static constexpr auto smooth = &qsm_smooth_f64;
@@ -104,6 +105,7 @@ template <> struct calls<double> {
     static constexpr auto improve = &qsm_improve_f64;
     static constexpr auto measure = &qsm_measure_f64;
     static constexpr auto histogram = &qsm_histogram_f64;
+    static constexpr auto triangle_quality = &qsm_triangle_quality_f64;
 };
 
 [[noreturn]] inline void wrong_size(const char *name, const std::string &message)
@@ -629,6 +631,21 @@ std::vector<std::size_t> histogram(const P &positions, const I &triangles, qsm_p
         detail::fail(status, report());
     }
     return counted;
+}
+
+/* qsm_triangle_quality_*: the value of `parameter` for each triangle. Throws as measure. */
+template <typename P, typename I>
+std::vector<double> triangle_quality(const P &positions, const I &triangles, qsm_parameter parameter)
+{
+    const auto at = points_of(positions);
+    const auto numbers = corners_of(triangles);
+    std::vector<double> values(numbers.size() / 3);
+    const qsm_status status = detail::calls<typename decltype(at)::scalar>::triangle_quality(
+        at.data(), at.size(), at.stride_bytes(), numbers.data(), numbers.size(), parameter, values.data());
+    if (status != QSM_OK) {
+        detail::fail(status, report());
+    }
+    return values;
 }
 
 } // namespace qsmesh

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::mesh::{Mesh, Stars};
+use crate::threads::{PART, Threads};
 
 /// The surface as it came in.
 pub(crate) struct Surface<'a> {
@@ -13,6 +14,16 @@ pub(crate) struct Surface<'a> {
 impl<'a> Surface<'a> {
     pub fn new(mesh: &'a Mesh<'a>, stars: &'a Stars) -> Self {
         Self { mesh, stars }
+    }
+
+    /// The greatest distance of those vertices that have moved to `new` and that `counts` holds for.
+    pub fn farthest(&self, new: &[DVec3], counts: impl Fn(u32) -> bool + Sync, threads: &Threads<'_>) -> f64 {
+        let of_part = |part: usize| {
+            let vertices = part * PART..((part + 1) * PART).min(new.len());
+            let moved = vertices.filter(|&v| new[v] != self.mesh.positions[v] && counts(v as u32));
+            moved.map(|v| self.distance(v as u32, new[v])).fold(0.0, f64::max)
+        };
+        threads.map(0..new.len().div_ceil(PART), of_part).into_iter().fold(0.0, f64::max)
     }
 
     /// Distance from `point`, where vertex `v` has come to lie, to the original surface. Only triangles around the

@@ -46,18 +46,20 @@ pub fn collapse_tails<T: Coordinate>(
     sources: &mut Sources,
     progress: &mut Progress<'_>,
 ) -> Result<TailReport, Error> {
-    tail.validate()?;
-    tail.check_mask(triangles.len())?;
-    let prepared = Preparation::new(positions, triangles, options, constraints)?;
-    progress::tell(progress, 0.0)?;
-    let around = prepared.surroundings(options);
-    let start = memory::copied(&prepared.mesh.positions)?;
-    let mut outcome = tail::run(&around, start, tail, progress)?;
-    if options.measure {
-        outcome.report.before = Measurement::of(&around.mesh.positions, around.mesh.triangles, around.mesh.unit)?;
-        measure(&around, &mut outcome)?;
-    }
-    let output = Output::new(&prepared.mesh, positions, outcome)?;
+    check(options, tail, triangles)?;
+    let output = Threads::with(options.threads, positions.len(), |threads| {
+        let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
+        progress::tell(progress, 0.0)?;
+        let around = prepared.surroundings(options);
+        let start = memory::copied(&prepared.mesh.positions)?;
+        let mut outcome = tail::run(&around, start, tail, progress)?;
+        if options.measure {
+            let Mesh { positions, triangles, unit, .. } = around.mesh;
+            outcome.report.before = Measurement::of(positions, triangles, *unit, threads)?;
+            measure(&around, &mut outcome, threads)?;
+        }
+        Output::new(&prepared.mesh, positions, outcome)
+    })?;
     progress::tell(progress, 1.0)?;
     Ok(output.deliver(positions, triangles, sources))
 }
@@ -76,37 +78,41 @@ pub fn improve<T: Coordinate>(
     sources: &mut Sources,
     progress: &mut Progress<'_>,
 ) -> Result<Improvement, Error> {
-    tail.validate()?;
-    tail.check_mask(triangles.len())?;
-    let prepared = Preparation::new(positions, triangles, options, constraints)?;
-    progress::tell(progress, 0.0)?;
-    let around = prepared.surroundings(options);
-    let (new, mut smoothing) = Threads::with(options.threads, prepared.mesh.positions.len(), |threads| {
-        smooth::sweeps(&prepared, options, threads, &mut |done| progress(SWEEPS * done))
+    check(options, tail, triangles)?;
+    let (smoothing, output) = Threads::with(options.threads, positions.len(), |threads| {
+        let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
+        progress::tell(progress, 0.0)?;
+        let around = prepared.surroundings(options);
+        let (new, mut smoothing) = smooth::sweeps(&prepared, options, threads, &mut |done| progress(SWEEPS * done))?;
+        let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
+        let mut outcome = tail::run(&around, new, tail, rest)?;
+        smoothing.seconds.tail = outcome.report.seconds;
+        smoothing.seconds.total += outcome.report.seconds;
+        if options.measure {
+            outcome.report.before = smoothing.before;
+            measure(&around, &mut outcome, threads)?;
+        }
+        Ok((smoothing, Output::new(&prepared.mesh, positions, outcome)?))
     })?;
-    let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
-    let mut outcome = tail::run(&around, new, tail, rest)?;
-    smoothing.seconds.tail = outcome.report.seconds;
-    smoothing.seconds.total += outcome.report.seconds;
-    if options.measure {
-        outcome.report.before = smoothing.before;
-        measure(&around, &mut outcome)?;
-    }
-    let output = Output::new(&prepared.mesh, positions, outcome)?;
     progress::tell(progress, 1.0)?;
     Ok(Improvement { smoothing, tail: output.deliver(positions, triangles, sources) })
 }
 
-fn measure(around: &Surroundings<'_>, outcome: &mut Outcome) -> Result<(), Error> {
+fn check(options: &Options, tail: &TailOptions<'_>, triangles: &[[u32; 3]]) -> Result<(), Error> {
+    options.validate()?;
+    tail.validate()?;
+    tail.check_mask(triangles.len())
+}
+
+fn measure(around: &Surroundings<'_>, outcome: &mut Outcome, threads: &Threads<'_>) -> Result<(), Error> {
     let Outcome { positions, triangles, sources, report, lost_height } = outcome;
     let mesh = around.mesh;
     let mut kept: Vec<DVec3> = memory::reserved(sources.vertex.len())?;
     kept.extend(sources.vertex.iter().map(|&v| positions[v as usize]));
-    report.after = Measurement::of(&kept, triangles, mesh.unit)?;
+    report.after = Measurement::of(&kept, triangles, mesh.unit, threads)?;
     report.volume_relative_change = report.after.volume_change_from(&report.before);
-    let surface = Surface::new(mesh, around.stars);
-    let moved = sources.vertex.iter().filter(|&&v| positions[v as usize] != mesh.positions[v as usize]);
-    let farthest = moved.map(|&v| surface.distance(v, positions[v as usize])).fold(0.0, f64::max);
+    let farthest =
+        Surface::new(mesh, around.stars).farthest(positions, |v| sources.vertex.binary_search(&v).is_ok(), threads);
     report.max_deviation = lost_height.max(farthest) * mesh.unit;
     Ok(())
 }

@@ -27,7 +27,7 @@ pub use improve::{Improvement, collapse_tails, improve};
 pub use mesh::Coordinate;
 pub use options::{Boundary, Constraints, Ideal, Options, Order, Plane};
 pub use progress::{Flow, Progress};
-pub use quality::{Distribution, Measurement, Parameter, histogram, measure};
+pub use quality::{Distribution, Measurement, Parameter, histogram, measure, triangle_quality};
 pub use report::{Kept, Report, Seconds};
 pub use smooth::smooth;
 pub use tail::{Defect, Leftover, Reason, Sources, TailOptions, TailReport};

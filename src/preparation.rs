@@ -8,6 +8,7 @@ use crate::mesh::{Coordinate, Mesh, Stars};
 use crate::options::{Constraints, Options};
 use crate::star::Operation;
 use crate::sweep::Surroundings;
+use crate::threads::Threads;
 
 /// The original mesh and what is known of it.
 pub(crate) struct Preparation<'a> {
@@ -28,14 +29,14 @@ impl<'a> Preparation<'a> {
         triangles: &'a [[u32; 3]],
         options: &Options,
         constraints: &Constraints<'_>,
+        threads: &Threads<'_>,
     ) -> Result<Self, Error> {
-        options.validate()?;
         check_constraints(constraints, positions.len())?;
         let clock = Instant::now();
         let mesh = Mesh::new(positions, triangles)?;
-        let stars = Stars::new(&mesh)?;
+        let stars = Stars::new(&mesh, threads)?;
         let adjacency = clock.elapsed().as_secs_f64();
-        let features = Features::new(&mesh, &stars, options, constraints)?;
+        let features = Features::new(&mesh, &stars, options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
         Ok(Self { mesh, stars, features, operation: Operation::new(options), adjacency, finding })
     }

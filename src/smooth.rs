@@ -35,11 +35,22 @@ pub fn smooth<T: Coordinate>(
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
     options.validate()?;
-    let prepared = Preparation::new(positions, triangles, options, constraints)?;
+    Threads::with(options.threads, positions.len(), |threads| {
+        smooth_on(threads, positions, triangles, options, constraints, progress)
+    })
+}
+
+fn smooth_on<T: Coordinate>(
+    threads: &Threads<'_>,
+    positions: &mut [[T; 3]],
+    triangles: &[[u32; 3]],
+    options: &Options,
+    constraints: &Constraints<'_>,
+    progress: &mut Progress<'_>,
+) -> Result<Report, Error> {
+    let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
     progress::tell(progress, 0.0)?;
-    let (new, report) = Threads::with(options.threads, prepared.mesh.positions.len(), |threads| {
-        sweeps(&prepared, options, threads, progress)
-    })?;
+    let (new, report) = sweeps(&prepared, options, threads, progress)?;
     progress::tell(progress, 1.0)?;
     let mesh = &prepared.mesh;
     for ((old, &new), stored) in mesh.positions.iter().zip(&new).zip(positions) {
@@ -67,7 +78,7 @@ pub(crate) fn sweeps(
     let (adjacency, features) = (prepared.adjacency, prepared.finding);
     report.seconds = Seconds { total: adjacency + features + sweeps, adjacency, features, sweeps, tail: 0.0 };
     if options.measure {
-        measure_into(&mut report, &around, &new)?;
+        measure_into(&mut report, &around, &new, threads)?;
     }
     Ok((new, report))
 }
@@ -102,13 +113,16 @@ fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: T
     }
 }
 
-fn measure_into(report: &mut Report, around: &Surroundings<'_>, new: &[DVec3]) -> Result<(), Error> {
+fn measure_into(
+    report: &mut Report,
+    around: &Surroundings<'_>,
+    new: &[DVec3],
+    threads: &Threads<'_>,
+) -> Result<(), Error> {
     let mesh = around.mesh;
-    report.before = Measurement::of(&mesh.positions, mesh.triangles, mesh.unit)?;
-    report.after = Measurement::of(new, mesh.triangles, mesh.unit)?;
+    report.before = Measurement::of(&mesh.positions, mesh.triangles, mesh.unit, threads)?;
+    report.after = Measurement::of(new, mesh.triangles, mesh.unit, threads)?;
     report.volume_relative_change = report.after.volume_change_from(&report.before);
-    let surface = Surface::new(mesh, around.stars);
-    let deviation = |(v, &p): (usize, &DVec3)| if p == mesh.positions[v] { 0.0 } else { surface.distance(v as u32, p) };
-    report.max_deviation = new.iter().enumerate().map(deviation).fold(0.0, f64::max) * mesh.unit;
+    report.max_deviation = Surface::new(mesh, around.stars).farthest(new, |_| true, threads) * mesh.unit;
     Ok(())
 }

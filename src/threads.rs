@@ -13,7 +13,13 @@ const WORTH_A_THREAD: usize = 20_000;
 /// One thread or several.
 pub(crate) struct Threads<'a>(Option<&'a ThreadPool>);
 
+/// Vertices of a task where each vertex takes about as long as any other.
+pub(crate) const PART: usize = 8192;
+
 impl Threads<'_> {
+    /// The calling thread alone.
+    pub const ONE: Self = Threads(None);
+
     /// Calls `work` with as many threads as are wanted, 0 meaning all that the machine runs at once, and worth it for a
     /// mesh of `vertex_count` vertices. Where they cannot be had, the calling thread works alone.
     pub fn with<T>(wanted: u32, vertex_count: usize, work: impl FnOnce(&Threads<'_>) -> T) -> T {
@@ -21,7 +27,7 @@ impl Threads<'_> {
         let wanted = if wanted == 0 { all() } else { wanted as usize };
         let count = wanted.min(vertex_count / WORTH_A_THREAD);
         if count <= 1 {
-            return work(&Threads(None));
+            return work(&Threads::ONE);
         }
         let mut waiting = Some(work);
         let builder = ThreadPoolBuilder::new().num_threads(count).thread_name(|i| format!("qsmesh {i}"));
@@ -29,7 +35,7 @@ impl Threads<'_> {
             builder.build_scoped(|thread| thread.run(), |pool| waiting.take().map(|work| work(&Threads(Some(pool)))));
         match (done, waiting) {
             (Ok(Some(result)), _) => result,
-            (_, Some(work)) => work(&Threads(None)),
+            (_, Some(work)) => work(&Threads::ONE),
             (_, None) => unreachable!("a pool that cannot be built takes no work"),
         }
     }
@@ -39,11 +45,25 @@ impl Threads<'_> {
         self.0.is_none()
     }
 
-    /// Carries out tasks, on the calling thread one by one or on all threads in any order, and adds up what they return.
-    pub fn sum<T: Sum + Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> T {
+    /// Carries out tasks, on the calling thread one by one or on all threads in any order. What they return comes in their
+    /// own order.
+    pub fn map<T: Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
         match self.0 {
-            None => tasks.map(work).sum(),
-            Some(pool) => pool.install(|| tasks.into_par_iter().map(&work).collect::<Vec<_>>()).into_iter().sum(),
+            None => tasks.map(work).collect(),
+            Some(pool) => pool.install(|| tasks.into_par_iter().map(&work).collect()),
+        }
+    }
+
+    /// The sum of what tasks return.
+    pub fn sum<T: Sum + Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> T {
+        self.map(tasks, work).into_iter().sum()
+    }
+
+    /// Carries out a piece of work on each of several parts.
+    pub fn each<T: Send>(&self, parts: Vec<T>, work: impl Fn(T) + Sync) {
+        match self.0 {
+            None => parts.into_iter().for_each(work),
+            Some(pool) => pool.install(|| parts.into_par_iter().for_each(&work)),
         }
     }
 }

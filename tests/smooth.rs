@@ -4,7 +4,7 @@ mod meshes;
 
 use meshes::{Mesh, cube, flipped, sheet, torus};
 use qsmesh::progress::silent;
-use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Plane, Report, smooth};
+use qsmesh::{Boundary, Constraints, Error, Flow, Ideal, Options, Order, Plane, Report, smooth};
 
 fn run(mesh: &mut Mesh, options: &Options) -> Report {
     smooth(&mut mesh.0, &mesh.1, options, &Constraints::default(), &mut silent).expect("a result")
@@ -273,6 +273,23 @@ fn size_does_not_matter_to_the_bit() {
         run(&mut scaled, &Options::default());
         let expected: Vec<_> = plain.0.iter().map(|p| p.map(|x| x * factor)).collect();
         assert_eq!(scaled.0, expected, "scaled by 2^{exponent}");
+    }
+}
+
+#[test]
+fn progress_is_a_share_even_where_nothing_can_move() {
+    let mut mesh = sheet(8, 0.2, 0.3, 5);
+    let locked = vec![true; mesh.0.len()];
+    for order in [Order::Colors, Order::Index] {
+        let mut calls = Vec::new();
+        let mut listen = |done: f64| {
+            calls.push(done);
+            Flow::Continue
+        };
+        let constraints = Constraints { locked: &locked, ..Constraints::default() };
+        let options = Options { order, ..Options::default() };
+        smooth(&mut mesh.0, &mesh.1, &options, &constraints, &mut listen).unwrap();
+        assert!(calls.iter().all(|done| (0.0..=1.0).contains(done)), "{calls:?}");
     }
 }
 

@@ -287,7 +287,7 @@ def load():
 
 def _declare(native):
     """Return types; a library without one of these functions raises AttributeError."""
-    for name in ("smooth", "improve", "collapse_tails", "measure", "histogram"):
+    for name in ("smooth", "improve", "collapse_tails", "measure", "histogram", "triangle_quality"):
         for precision in ("f32", "f64"):
             getattr(native, f"qsm_{name}_{precision}").restype = c_int32
     for name in ("options", "report", "measurement", "maps"):
@@ -367,6 +367,18 @@ def histogram(positions, triangles, parameter, lower, interval, bins):
     )
     _check(status)
     return list(counts)
+
+
+def triangle_quality(positions, triangles, parameter):
+    """The value of parameter for each triangle: float64; infinite where one without area has none that is finite."""
+    function, count, stride = _call("triangle_quality", positions)
+    values = numpy.empty(triangles.size // 3, dtype=numpy.float64)
+    status = function(
+        _pointer(positions, c_float), c_size_t(count), c_size_t(stride), _pointer(triangles, c_uint32),
+        c_size_t(triangles.size), c_int32(parameter), _pointer(values, c_double),
+    )
+    _check(status)
+    return values
 
 
 def _call(name, positions):

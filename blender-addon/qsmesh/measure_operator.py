@@ -4,7 +4,7 @@
 import bmesh
 import bpy
 
-from . import face_quality, measuring, mesh_read, targets
+from . import face_quality, library, measuring, mesh_read, targets
 from .library import LibraryError
 
 # What was measured last, for the panel. Nothing of it belongs into a file.
@@ -62,7 +62,7 @@ class QSMESH_OT_write_quality(ActiveMesh, bpy.types.Operator):
 def _values(obj, parameter):
     number = measuring.PARAMETERS[parameter][0]
     with mesh_read.readable(obj) as mesh:
-        values = face_quality.triangle_values(*measuring.buffers(obj, mesh), number)
+        values = library.triangle_quality(*measuring.buffers(obj, mesh), number)
         return face_quality.face_values(values, mesh_read.triangle_faces(mesh), len(mesh.polygons), number)
 
 

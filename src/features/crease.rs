@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::quality::triangle::Sides;
+use crate::threads::{PART, Threads};
 
 /// Mean-ratio shape below which a triangle's own normal is not believed.
 const THIN: f64 = 0.3;
@@ -14,23 +15,23 @@ const THIN: f64 = 0.3;
 /// A connected set of fewer sharp edges is noise, unless all its edges are clear.
 const SHORT: u32 = 5;
 
+/// A comparison of squares that holds with this factor holds whatever the rounding.
+const CLEARLY: f64 = 1.000_001;
+
 /// Cosine of 10°: an edge is clear if each edge beside it is either flatter than that or sharp.
 const FLAT: f64 = 0.984_807_753_012_208;
 
 /// Marks the edges whose two sides meet at more than `angle` degrees, short patches of noise left out.
-pub(super) fn mark(mesh: &Mesh<'_>, stars: &Stars, angle: f64, slots: &mut SlotSet) -> Result<(), Error> {
+pub(super) fn mark(
+    mesh: &Mesh<'_>,
+    stars: &Stars,
+    angle: f64,
+    threads: &Threads<'_>,
+    slots: &mut SlotSet,
+) -> Result<(), Error> {
     let dihedral = Dihedral { mesh, stars, sharp: libm::cos(angle.to_radians()) };
-    let mut edges = Vec::new();
-    for v in 0..stars.len() as u32 {
-        for (i, &r) in stars.ring(v).iter().enumerate() {
-            let seen_once = v < r || stars.ring(r).is_empty();
-            if let Some(flanks) = stars.flanks(v, i).filter(|_| seen_once)
-                && dihedral.is_sharp(v, r, flanks)
-            {
-                edges.push(([v, r], dihedral.is_clear(v, r, flanks)));
-            }
-        }
-    }
+    let vertices = |part: usize| (part * PART) as u32..((part + 1) * PART).min(stars.len()) as u32;
+    let edges = threads.map(0..stars.len().div_ceil(PART), |part| dihedral.sharp_edges(vertices(part))).concat();
     let mut patches = Patches::new(stars.len())?;
     edges.iter().for_each(|&(ends, _)| patches.join(ends));
     edges.iter().for_each(|&(ends, clear)| patches.count(ends, clear));
@@ -49,12 +50,47 @@ struct Dihedral<'a> {
 }
 
 impl Dihedral<'_> {
+    /// The sharp edges that are seen first from these vertices, and whether they are clear.
+    fn sharp_edges(&self, vertices: std::ops::Range<u32>) -> Vec<([u32; 2], bool)> {
+        let mut edges = Vec::new();
+        for v in vertices {
+            for (i, &r) in self.stars.ring(v).iter().enumerate() {
+                let seen_once = v < r || self.stars.ring(r).is_empty();
+                if let Some(flanks) = self.stars.flanks(v, i).filter(|_| seen_once)
+                    && self.is_sharp(v, r, flanks)
+                {
+                    edges.push(([v, r], self.is_clear(v, r, flanks)));
+                }
+            }
+        }
+        edges
+    }
+
     /// Whether the edge v–r, with the third corners `before` and `after` of its triangles, is sharp. Beside a triangle that
     /// is folded over none is.
     fn is_sharp(&self, v: u32, r: u32, [before, after]: [u32; 2]) -> bool {
         let sides = [[r, v, before], [v, r, after]];
-        cosine(self.side(sides[0]), self.side(sides[1])) < self.sharp
+        !self.is_plainly_flat([v, r, before, after])
+            && cosine(self.side(sides[0]), self.side(sides[1])) < self.sharp
             && !sides.into_iter().any(|triangle| self.stars.is_folded(self.mesh, triangle))
+    }
+
+    /// Whether both triangles of an edge are to be believed and their normals clearly agree: most edges, without a root or
+    /// a division.
+    fn is_plainly_flat(&self, corners: [u32; 4]) -> bool {
+        let [v, r, before, after] = corners.map(|corner| self.mesh.positions[corner as usize]);
+        let (edge, b, a) = (r - v, before - v, after - v);
+        let (left, right) = (b.cross(edge), edge.cross(a));
+        let squares = [left.length_squared(), right.length_squared()];
+        let is_believed = |square: f64, x: DVec3| {
+            let sum = edge.length_squared() + x.length_squared() + (x - edge).length_squared();
+            12.0 * square > CLEARLY * THIN * THIN * sum * sum
+        };
+        let along = left.dot(right);
+        is_believed(squares[0], b)
+            && is_believed(squares[1], a)
+            && along > 0.0
+            && along * along > CLEARLY * self.sharp * self.sharp * squares[0] * squares[1]
     }
 
     /// Whether the surface is flat or sharp at each of the four edges beside it, and nothing between.

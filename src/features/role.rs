@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, StarKind, Stars};
 use crate::options::{Boundary, Constraints, Options};
+use crate::threads::{PART, Threads};
 
 /// What a vertex may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,11 +53,12 @@ impl Features {
         stars: &Stars,
         options: &Options,
         constraints: &Constraints<'_>,
+        threads: &Threads<'_>,
     ) -> Result<Self, Error> {
         let mut slots = SlotSet::new(stars)?;
         let mut marked = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
-            crease::mark(mesh, stars, angle, &mut slots)?;
+            crease::mark(mesh, stars, angle, threads, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
             slots.insert_edge(stars, a, b);
@@ -65,10 +67,12 @@ impl Features {
         let straight = libm::cos(options.feature_angle.unwrap_or(STRAIGHT).to_radians());
         let judge = Judge { mesh, stars, slots: &slots, marked: &marked, boundary: options.boundary, straight };
         let mut roles = memory::filled(Role::Free, stars.len())?;
-        for (v, role) in roles.iter_mut().enumerate() {
-            let locked = constraints.locked.get(v).copied().unwrap_or(false);
-            *role = judge.role(v as u32, locked);
-        }
+        threads.each(roles.chunks_mut(PART).enumerate().collect(), |(part, roles)| {
+            for (v, role) in (part * PART..).zip(roles) {
+                let locked = constraints.locked.get(v).copied().unwrap_or(false);
+                *role = judge.role(v as u32, locked);
+            }
+        });
         let edge_count = slots.edge_count(stars);
         Ok(Self { roles, slots, edge_count })
     }

@@ -288,6 +288,39 @@ pub(super) unsafe fn histogram<T: Coordinate>(
     }
 }
 
+/// Body of `qsm_triangle_quality_*`.
+///
+/// # Safety
+/// As for [`smooth`].
+pub(super) unsafe fn triangle_quality<T: Coordinate>(
+    positions: *const T,
+    vertex_count: usize,
+    stride: usize,
+    indices: *const u32,
+    index_count: usize,
+    parameter: qsm_parameter,
+    values: *mut f64,
+) -> qsm_status {
+    let outcome = contained(|| {
+        let parameter = options::parameter(parameter)?;
+        let mesh = MeshMemory::check(positions, vertex_count, stride, indices, index_count)?;
+        let room = Block::array(c"values", values, c"index_count", index_count / 3)?;
+        room.apart_from(&[mesh.positions, mesh.indices], Blame::This)?;
+        // SAFETY: `check` has found both buffers to be addressable and aligned.
+        let (copy, triangles) = unsafe { (mesh.read_positions()?, mesh.triangles()) };
+        Ok(crate::triangle_quality(&copy, triangles, parameter)?)
+    });
+    match outcome {
+        Ok(found) => {
+            // SAFETY: the caller's room for a number for each triangle is addressable, aligned and apart from our own
+            // vector; without triangles nothing is written.
+            unsafe { write_array(values, &found) };
+            QSM_OK
+        }
+        Err(failure) => failure.status,
+    }
+}
+
 /// Which vertices are locked, and which edges are features.
 ///
 /// # Safety

@@ -19,7 +19,7 @@ use std::ffi::CStr;
 use libc::{c_char, size_t};
 
 use access::initialise;
-use calls::{Bins, Shrinking, histogram, measure, shrink, smooth};
+use calls::{Bins, Shrinking, histogram, measure, shrink, smooth, triangle_quality};
 use maps::qsm_maps;
 use options::{qsm_options, qsm_parameter};
 use report::{qsm_measurement, qsm_report};
@@ -293,6 +293,38 @@ pub unsafe extern "C" fn qsm_histogram_f64(
     let bins = Bins { parameter, lower, interval, counts, bin_count };
     // SAFETY: the header asks of the caller what `histogram` asks.
     unsafe { histogram(positions, vertex_count, stride_bytes, indices, index_count, &bins) }
+}
+
+/// Writes the value of parameter for each triangle to values, which has room for index_count / 3 numbers: infinite where
+/// a triangle without area has none that is finite. Buffers are as for qsm_smooth_f32 and are not changed; values is
+/// overwritten only if the call returns QSM_OK.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_triangle_quality_f32(
+    positions: *const f32,
+    vertex_count: size_t,
+    stride_bytes: size_t,
+    indices: *const u32,
+    index_count: size_t,
+    parameter: qsm_parameter,
+    values: *mut f64,
+) -> qsm_status {
+    // SAFETY: the header asks of the caller what `triangle_quality` asks.
+    unsafe { triangle_quality(positions, vertex_count, stride_bytes, indices, index_count, parameter, values) }
+}
+
+/// The same as qsm_triangle_quality_f32 for coordinates in double precision.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn qsm_triangle_quality_f64(
+    positions: *const f64,
+    vertex_count: size_t,
+    stride_bytes: size_t,
+    indices: *const u32,
+    index_count: size_t,
+    parameter: qsm_parameter,
+    values: *mut f64,
+) -> qsm_status {
+    // SAFETY: the header asks of the caller what `triangle_quality` asks.
+    unsafe { triangle_quality(positions, vertex_count, stride_bytes, indices, index_count, parameter, values) }
 }
 
 /// English text for a status; "unknown status" for any other number. Never NULL, lives for ever, not to be freed.

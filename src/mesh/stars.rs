@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::validated::{Mesh, repeats_a_vertex};
 use crate::error::Error;
 use crate::memory;
+use crate::threads::{PART, Threads};
 
 /// What the triangles around a vertex look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,17 +48,19 @@ struct Hub {
 
 impl Stars {
     /// Builds the stars in linear time (and n log n in the valence of a vertex).
-    pub fn new(mesh: &Mesh<'_>) -> Result<Self, Error> {
+    pub fn new(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
         let offsets = slot_offsets(mesh)?;
         let mut slots = incident_triangles(mesh, &offsets)?;
         let mut kinds = memory::filled(StarKind::Empty, mesh.positions.len())?;
-        let mut rim = Vec::new();
-        for (v, kind) in kinds.iter_mut().enumerate() {
-            let own = &mut slots[offsets[v] as usize..offsets[v + 1] as usize];
-            rim.clear();
-            rim.extend(own[..own.len() - 1].iter().map(|&t| rim_edge(&mesh.triangles[t as usize], v as u32)));
-            *kind = link(&mut rim, own);
+        let mut parts = Vec::new();
+        let mut rest = &mut slots[..];
+        for (part, kinds) in kinds.chunks_mut(PART).enumerate() {
+            let offsets = &offsets[part * PART..=part * PART + kinds.len()];
+            let (own, others) = rest.split_at_mut((offsets[kinds.len()] - offsets[0]) as usize);
+            parts.push(Part { first: (part * PART) as u32, offsets, slots: own, kinds });
+            rest = others;
         }
+        threads.each(parts, |part| part.link(mesh));
         let mut stars = Self { offsets, slots, kinds, hubs: BTreeMap::new() };
         stars.find_hubs(mesh);
         Ok(stars)
@@ -177,6 +180,29 @@ impl Stars {
     }
 }
 
+/// The stars of consecutive vertices.
+struct Part<'a> {
+    first: u32,
+    /// One more than vertices.
+    offsets: &'a [u32],
+    slots: &'a mut [u32],
+    kinds: &'a mut [StarKind],
+}
+
+impl Part<'_> {
+    /// Turns triangle numbers into rings.
+    fn link(self, mesh: &Mesh<'_>) {
+        let mut rim = Vec::new();
+        for (i, kind) in self.kinds.iter_mut().enumerate() {
+            let [start, end] = [i, i + 1].map(|i| (self.offsets[i] - self.offsets[0]) as usize);
+            let (own, v) = (&mut self.slots[start..end], self.first + i as u32);
+            rim.clear();
+            rim.extend(own[..own.len() - 1].iter().map(|&t| rim_edge(&mesh.triangles[t as usize], v)));
+            *kind = link(&mut rim, own);
+        }
+    }
+}
+
 fn slot_offsets(mesh: &Mesh<'_>) -> Result<Vec<u32>, Error> {
     let mut offsets = memory::filled(0_u32, mesh.positions.len() + 1)?;
     for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
@@ -271,7 +297,7 @@ mod tests {
 
     /// The stars of triangles over `count` vertices in places that don't matter.
     fn stars(count: usize, triangles: &[[u32; 3]]) -> Stars {
-        Stars::new(&Mesh::new(&vec![[0.0_f64; 3]; count], triangles).expect("a mesh")).expect("stars")
+        Stars::new(&Mesh::new(&vec![[0.0_f64; 3]; count], triangles).expect("a mesh"), &Threads::ONE).expect("stars")
     }
 
     fn fan(valence: u32, closed: bool) -> Vec<[u32; 3]> {

@@ -8,6 +8,7 @@ use super::triangle::Sides;
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Coordinate, Mesh, repeats_a_vertex};
+use crate::threads::Threads;
 
 /// What [`measure`] finds.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -51,7 +52,22 @@ pub struct Measurement {
 /// [`Error::IndexOutOfRange`], [`Error::NonFinite`] or [`Error::TooLarge`], as for [`smooth`](crate::smooth).
 pub fn measure<T: Coordinate>(positions: &[[T; 3]], triangles: &[[u32; 3]]) -> Result<Measurement, Error> {
     let mesh = Mesh::new(positions, triangles)?;
-    Measurement::of(&mesh.positions, triangles, mesh.unit)
+    Measurement::of(&mesh.positions, triangles, mesh.unit, &Threads::ONE)
+}
+
+/// The value of `parameter` for each triangle, infinite ones included.
+///
+/// # Errors
+/// As for [`measure`], and [`Error::OutOfMemory`].
+pub fn triangle_quality<T: Coordinate>(
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    parameter: Parameter,
+) -> Result<Vec<f64>, Error> {
+    let mesh = Mesh::new(positions, triangles)?;
+    let mut values = memory::reserved(triangles.len())?;
+    values.extend(triangles.iter().map(|t| parameter.of(&Sides::new(mesh.corners(t)))));
+    Ok(values)
 }
 
 /// Counts how many triangles have a value of `parameter` in each interval of width `interval` from `lower` on; values
@@ -89,27 +105,27 @@ pub fn histogram<T: Coordinate>(
 
 impl Measurement {
     /// Measures positions in units of `unit`.
-    pub(crate) fn of(positions: &[DVec3], triangles: &[[u32; 3]], unit: f64) -> Result<Self, Error> {
-        let mut values = memory::reserved(triangles.len())?;
+    pub(crate) fn of(
+        positions: &[DVec3],
+        triangles: &[[u32; 3]],
+        unit: f64,
+        threads: &Threads<'_>,
+    ) -> Result<Self, Error> {
         let sides = |t: &[u32; 3]| Sides::new(t.map(|v| positions[v as usize]));
-        let mut distribution = |parameter: Parameter| {
-            values.clear();
-            values.extend(triangles.iter().map(|t| parameter.of(&sides(t))));
-            let below = |angle: f64| values.iter().filter(|&&x| x < angle).count();
-            let counts = [below(10.0), below(20.0), below(30.0)];
-            (Distribution::of(&mut values), counts)
-        };
-        let (min_angle, [below_10, below_20, below_30]) = distribution(Parameter::MinAngle);
-        let edges = EdgeCount::of(triangles)?;
+        let found = threads.map(0..Parameter::ALL.len(), |i| distribution(Parameter::ALL[i], triangles, sides));
+        let mut found = found.into_iter();
+        let mut next = || found.next().unwrap_or(Ok(Default::default()));
+        let (edge_ratio, (min_angle, [below_10, below_20, below_30])) = (next()?.0, next()?);
+        let edges = EdgeCount::of(triangles, positions.len())?;
         let double_areas = || triangles.iter().map(|t| sides(t).double_area());
         Ok(Self {
             vertices: positions.len(),
             triangles: triangles.len(),
-            edge_ratio: distribution(Parameter::EdgeRatio).0,
+            edge_ratio,
             min_angle,
-            max_angle: distribution(Parameter::MaxAngle).0,
-            shape: distribution(Parameter::Shape).0,
-            radius_ratio: distribution(Parameter::RadiusRatio).0,
+            max_angle: next()?.0,
+            shape: next()?.0,
+            radius_ratio: next()?.0,
             below_10,
             below_20,
             below_30,
@@ -135,6 +151,19 @@ impl Measurement {
             0.0
         }
     }
+}
+
+/// Statistics of one parameter, and how many values are below 10, 20 and 30.
+fn distribution(
+    parameter: Parameter,
+    triangles: &[[u32; 3]],
+    sides: impl Fn(&[u32; 3]) -> Sides,
+) -> Result<(Distribution, [usize; 3]), Error> {
+    let mut values = memory::reserved(triangles.len())?;
+    values.extend(triangles.iter().map(|t| parameter.of(&sides(t))));
+    let below = |angle: f64| values.iter().filter(|&&x| x < angle).count();
+    let counts = [below(10.0), below(20.0), below(30.0)];
+    Ok((Distribution::of(&mut values), counts))
 }
 
 /// Volume of the cone from the centre of the bounding box, summed with error compensation (Neumaier 1974), so that the
@@ -163,20 +192,54 @@ struct EdgeCount {
 
 impl EdgeCount {
     /// Triangles that name a vertex twice have no part in it, as they have none in stars.
-    fn of(triangles: &[[u32; 3]]) -> Result<Self, Error> {
-        let mut edges = memory::reserved(3 * triangles.len())?;
-        for &[a, b, c] in triangles.iter().filter(|t| !repeats_a_vertex(t)) {
-            edges.extend([(a, b), (b, c), (c, a)].map(|(from, to)| (from.min(to), from.max(to), from < to)));
-        }
-        edges.sort_unstable();
+    fn of(triangles: &[[u32; 3]], vertex_count: usize) -> Result<Self, Error> {
         let mut count = Self { boundary: 0, non_manifold: 0 };
-        for same in edges.chunk_by(|e, f| (e.0, e.1) == (f.0, f.1)) {
-            match same {
-                [_] => count.boundary += 1,
-                [first, second] if first.2 != second.2 => {}
-                _ => count.non_manifold += 1,
+        let mut edges = Buckets::new(triangles, vertex_count)?;
+        for v in 0..vertex_count {
+            let around = edges.sorted(v);
+            for same in around.chunk_by(|e, f| e.0 == f.0) {
+                match same {
+                    [_] => count.boundary += 1,
+                    [first, second] if first.1 != second.1 => {}
+                    _ => count.non_manifold += 1,
+                }
             }
         }
         Ok(count)
+    }
+}
+
+/// Directed edges by the lower one of their ends, placed by counting.
+struct Buckets {
+    /// Where each vertex's edges start; one entry more than vertices.
+    starts: Vec<usize>,
+    /// The higher end, and whether the edge comes from there.
+    edges: Vec<(u32, bool)>,
+}
+
+impl Buckets {
+    fn new(triangles: &[[u32; 3]], vertex_count: usize) -> Result<Self, Error> {
+        let directed = || {
+            let proper = triangles.iter().filter(|t| !repeats_a_vertex(t));
+            proper.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)])
+        };
+        // While edges are placed, entry v + 1 is where the next one of v goes; when all are, it is where they end.
+        let mut starts = memory::filled(0, vertex_count + 2)?;
+        directed().for_each(|(from, to)| starts[from.min(to) as usize + 2] += 1);
+        (2..starts.len()).for_each(|v| starts[v] += starts[v - 1]);
+        let mut edges = memory::filled((0, false), starts[vertex_count + 1])?;
+        for (from, to) in directed() {
+            let place = &mut starts[from.min(to) as usize + 1];
+            edges[*place] = (from.max(to), from > to);
+            *place += 1;
+        }
+        Ok(Self { starts, edges })
+    }
+
+    /// The edges of `v`, those to one vertex in a row.
+    fn sorted(&mut self, v: usize) -> &[(u32, bool)] {
+        let own = &mut self.edges[self.starts[v]..self.starts[v + 1]];
+        own.sort_unstable();
+        own
     }
 }

@@ -6,5 +6,5 @@ mod parameter;
 pub mod triangle;
 
 pub use distribution::{Distribution, PERCENTILE_LEVELS};
-pub use measurement::{Measurement, histogram, measure};
+pub use measurement::{Measurement, histogram, measure, triangle_quality};
 pub use parameter::Parameter;

@@ -31,7 +31,8 @@ pub(super) fn run(
     tell: &mut Progress<'_>,
 ) -> Result<Tally, Error> {
     let schedule = Schedule::new(around)?;
-    let total = iterations as usize * schedule.vertices.len();
+    // Where nothing can move there is still a share to tell.
+    let total = (iterations as usize * schedule.vertices.len()).max(1);
     let mut sweeps =
         Sweeps { around, places, outcomes, threads, schedule: &schedule, visited: 0, total, tally: Tally::default() };
     for _ in 0..iterations {

@@ -21,7 +21,8 @@ const LEAST_FLATNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Mean-ratio shape below which a triangle's normal is not believed.
 const THIN: f64 = 0.1;
 
-/// Greatest distance of a removed vertex's original place from the new triangles, in units of the mean edge of the patch:
+/// Greatest distance of a removed vertex's original place, and of the middle of an edge that is gone, from the new
+/// triangles, in units of the mean edge of the patch:
 /// where the shape of the surface is to be kept, and elsewhere, where the sweeps may have gone as far.
 const LOST: [f64; 2] = [0.12, 0.3];
 
@@ -129,17 +130,25 @@ impl Judge<'_> {
         };
         let lost = self.lost_height(shape);
         max_deviation.is_some_and(|bound| lost > bound || far(bound))
-            || lost > LOST[usize::from(!keeps_shape)] * mean_edge(&self.patch.shape)
+            || lost.max(self.cut_height(shape)) > LOST[usize::from(!keeps_shape)] * mean_edge(&self.patch.shape)
     }
 
     /// Greatest distance of a removed vertex from the triangles of `shape`.
     pub fn lost_height(&self, shape: &Shape) -> f64 {
         let lost = self.lost(shape).map(|v| self.around.mesh.positions[self.patch.vertices[v] as usize]);
-        let distance = |p: DVec3| {
-            let nearest = shape.pieces.iter().map(|t| nearest_on_triangle(p, shape.corners(t)).distance(p));
-            nearest.fold(f64::INFINITY, f64::min)
-        };
-        lost.map(distance).fold(0.0, f64::max)
+        lost.map(|p| distance(p, shape)).fold(0.0, f64::max)
+    }
+
+    /// Greatest distance of the middle of an edge of the patch that is gone from the triangles of `shape`.
+    fn cut_height(&self, shape: &Shape) -> f64 {
+        if fresh(shape).next().is_none() {
+            return 0.0;
+        }
+        let old = &self.patch.shape;
+        let is_gone = |&(a, b): &(usize, usize)| shape.beside(a, b).is_none() && shape.beside(b, a).is_none();
+        let gone = old.pieces.iter().flat_map(sides).filter(is_gone);
+        let middle = |(a, b): (usize, usize)| (old.positions[a] + old.positions[b]) * 0.5;
+        gone.map(|edge| distance(middle(edge), shape)).fold(0.0, f64::max)
     }
 
     /// Vertices that no triangle has any more.
@@ -152,6 +161,12 @@ impl Judge<'_> {
 /// Whether `shape` has this piece of the patch, unmoved.
 fn shape_has(shape: &Shape, piece: &Piece, patch: &Patch) -> bool {
     shape.pieces.contains(piece) && piece.corners.iter().all(|&v| shape.positions[v] == patch.shape.positions[v])
+}
+
+/// Distance from a point to the triangles of a shape.
+fn distance(point: DVec3, shape: &Shape) -> f64 {
+    let nearest = shape.pieces.iter().map(|t| nearest_on_triangle(point, shape.corners(t)).distance(point));
+    nearest.fold(f64::INFINITY, f64::min)
 }
 
 fn mean_edge(shape: &Shape) -> f64 {
@@ -175,6 +190,7 @@ mod tests {
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
     use crate::tail::options::TailOptions;
+    use crate::threads::Threads;
 
     /// A hexagonal star of triangles in a plane; its centre is vertex 0.
     fn star() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -188,7 +204,8 @@ mod tests {
     fn objection(floor: f64, tail: &TailOptions<'_>, change: impl Fn(&mut Shape)) -> Option<Reason> {
         let (positions, triangles) = star();
         let options = Options { quality_floor: floor, ..Options::default() };
-        let prepared = Preparation::new(&positions, &triangles, &options, &Constraints::default()).expect("valid");
+        let prepared =
+            Preparation::new(&positions, &triangles, &options, &Constraints::default(), &Threads::ONE).expect("valid");
         let around = prepared.surroundings(&options);
         let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
@@ -222,6 +239,28 @@ mod tests {
     fn a_sharp_bend_is_refused() {
         let change = |shape: &mut Shape| shape.positions[0].z += 2.0;
         assert_eq!(objection(0.0, &TailOptions::default(), change), Some(Reason::Fold));
+    }
+
+    #[test]
+    fn the_edge_that_a_flip_takes_away_counts_as_lost_surface() {
+        let (mut positions, triangles) = star();
+        positions[0][2] = 0.1;
+        positions[1][2] = 0.1;
+        let prepared =
+            Preparation::new(&positions, &triangles, &Options::default(), &Constraints::default(), &Threads::ONE)
+                .expect("valid");
+        let around = prepared.surroundings(&Options::default());
+        let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
+        let patch = Patch::of_stars(&live, &around, &[0]);
+        let limits = Limits::new(&TailOptions::default());
+        let judge = Judge { around: &around, live: &live, patch: &patch, limits: &limits };
+        assert_eq!(judge.cut_height(&patch.shape), 0.0);
+        // Without the triangles beside it the ridge 0–1 is gone; the next surface is the triangle 0–2–3 or 0–5–6.
+        let mut shape = patch.shape.clone();
+        shape.pieces.iter_mut().for_each(|piece| piece.slot = None);
+        let ridge = [0, 1].map(|v| patch.vertices.iter().position(|&p| p == v).expect("in the patch"));
+        shape.pieces.retain(|piece| !ridge.iter().all(|v| piece.corners.contains(v)));
+        assert!(judge.cut_height(&shape) > 0.3, "{}", judge.cut_height(&shape));
     }
 
     #[test]

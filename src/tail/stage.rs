@@ -63,7 +63,10 @@ pub(crate) fn run(
     report.tails_after = report.leftovers.len();
     report.vertices_removed = live.removed.len();
     report.triangles_removed = live.triangles.len() - compact.slots.len();
-    let unchanged = (0..live.triangles.len()).filter(|&s| live.triangles[s] == around.mesh.triangles[s]).count();
+    // A triangle that was taken out and came back may have found its own slot taken.
+    let is_unchanged =
+        |&s: &u32| live.triangles[s as usize] == around.mesh.triangles[live.triangle_source[s as usize] as usize];
+    let unchanged = compact.slots.iter().filter(|s| is_unchanged(s)).count();
     let count = live.triangles.len();
     report.triangles_unchanged = if count == 0 { 1.0 } else { unchanged as f64 / count as f64 };
     report.seconds = clock.elapsed().as_secs_f64();

@@ -48,6 +48,7 @@ mod tests {
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
     use crate::tail::cavity::Cavity;
+    use crate::threads::Threads;
 
     const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
     const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -55,7 +56,8 @@ mod tests {
     /// Whether filling the hole that these pieces leave with these triangles breaks the surface.
     fn breaks(triangles: &[[u32; 3]], pieces: Vec<usize>, filling: &[[usize; 3]]) -> bool {
         let options = Options::default();
-        let prepared = Preparation::new(&CORNERS, triangles, &options, &Constraints::default()).expect("valid");
+        let prepared =
+            Preparation::new(&CORNERS, triangles, &options, &Constraints::default(), &Threads::ONE).expect("valid");
         let mesh: &Mesh<'_> = &prepared.mesh;
         let live = Live::new(mesh, mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &prepared.surroundings(&options), &[0, 1, 2, 3]);

@@ -276,6 +276,28 @@ static void counting(void)
     CHECK(buffers_are_as_before());
 }
 
+static qsm_status each(qsm_parameter parameter, double *values)
+{
+    return qsm_triangle_quality_f32(positions, TORUS_VERTICES, 12, indices, TORUS_INDICES, parameter, values);
+}
+
+static void values_of_triangles(void)
+{
+    static double values[TORUS_INDICES / 3];
+    fresh();
+    remember();
+    values[0] = 5.0;
+    CHECK(each(-1, values) == QSM_BAD_OPTION);
+    CHECK(each(QSM_RADIUS_RATIO + 1, values) == QSM_BAD_OPTION);
+    CHECK(each(QSM_SHAPE, NULL) == QSM_NULL_POINTER);
+    CHECK(each(QSM_SHAPE, (double *)(void *)((char *)values + 1)) == QSM_MISALIGNED);
+    CHECK(qsm_triangle_quality_f64((const double *)(void *)values, 3, 24, indices, 3, QSM_SHAPE, values) == QSM_OVERLAP);
+    CHECK(qsm_triangle_quality_f32(positions, 2, 12, indices, TORUS_INDICES, QSM_SHAPE, values) ==
+          QSM_INDEX_OUT_OF_RANGE);
+    CHECK(values[0] == 5.0);
+    CHECK(buffers_are_as_before());
+}
+
 int main(void)
 {
     null_pointers();
@@ -288,5 +310,6 @@ int main(void)
     cancelling();
     measuring();
     counting();
+    values_of_triangles();
     return 0;
 }

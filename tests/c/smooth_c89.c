@@ -259,6 +259,24 @@ static void measuring_agrees_with_the_report(void)
     CHECK(measured.edge_ratio.count == TORUS_INDICES / 3);
 }
 
+static void each_triangle_has_its_quality(void)
+{
+    double angles[TORUS_INDICES / 3], least = 180.0;
+    qsm_measurement measured;
+    size_t k;
+    start();
+    qsm_measurement_init(&measured);
+    CHECK(qsm_measure_f64(exact, TORUS_VERTICES, 24, indices, TORUS_INDICES, &measured) == QSM_OK);
+    CHECK(qsm_triangle_quality_f64(exact, TORUS_VERTICES, 24, indices, TORUS_INDICES, QSM_MIN_ANGLE, angles) == QSM_OK);
+    for (k = 0; k < TORUS_INDICES / 3; k++) {
+        least = angles[k] < least ? angles[k] : least;
+    }
+    CHECK(least == measured.min_angle.min);
+    CHECK(qsm_triangle_quality_f32(tight, TORUS_VERTICES, 12, indices, 3, QSM_EDGE_RATIO, angles) == QSM_OK);
+    CHECK(angles[0] >= 1.0 && angles[0] < 100.0);
+    CHECK(qsm_triangle_quality_f32(NULL, 0, 12, NULL, 0, QSM_EDGE_RATIO, NULL) == QSM_OK);
+}
+
 static void histograms_count_every_triangle(void)
 {
     size_t narrow[6], wide[6], total = 0, k;
@@ -313,6 +331,7 @@ int main(void)
     progress_rises_from_0_to_1();
     measuring_agrees_with_the_report();
     histograms_count_every_triangle();
+    each_triangle_has_its_quality();
     nothing_is_a_mesh_too();
     texts();
     return 0;

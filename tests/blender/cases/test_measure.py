@@ -59,10 +59,10 @@ class Measure(Situation):
         positions, quads, _ = grid()
         self.obj = add(positions, quads)
         self.obj.data.calc_loop_triangles()
-        drawn = numpy.array([tuple(found.vertices) for found in self.obj.data.loop_triangles])
+        drawn = numpy.array([tuple(found.vertices) for found in self.obj.data.loop_triangles], dtype=numpy.uint32)
         of_face = numpy.array([found.polygon_index for found in self.obj.data.loop_triangles])
         bpy.ops.mesh.qsmesh_write_quality(parameter="SHAPE")
-        each = part("face_quality").triangle_values(positions, drawn, part("library").SHAPE)
+        each = part("library").triangle_quality(positions, drawn, part("library").SHAPE)
         expected = [each[of_face == face].min() for face in range(len(quads))]
         self.assert_same_bits(self.values("SHAPE"), numpy.array(expected, dtype=numpy.float32))
 
@@ -75,11 +75,11 @@ class Measure(Situation):
 class Degenerate(Situation):
     def test_a_triangle_without_area_has_the_worst_values(self):
         add([(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 0, 0)], [(0, 1, 2)])
-        value = part("face_quality").triangle_values
+        value = part("library").triangle_quality
         positions = numpy.array([(0, 0, 0), (1, 0, 0), (2, 0, 0)], dtype=numpy.float32)
         library = part("library")
         for parameter, expected in ((library.SHAPE, 0), (library.MIN_ANGLE, 0), (library.MAX_ANGLE, 180),
                                     (library.RADIUS_RATIO, numpy.inf), (library.EDGE_RATIO, 2)):
-            self.assertEqual(value(positions, numpy.array([[0, 1, 2]]), parameter)[0], expected)
+            self.assertEqual(value(positions, numpy.array([[0, 1, 2]], dtype=numpy.uint32), parameter)[0], expected)
         point = numpy.zeros((3, 3), dtype=numpy.float32)
-        self.assertEqual(value(point, numpy.array([[0, 1, 2]]), library.EDGE_RATIO)[0], numpy.inf)
+        self.assertEqual(value(point, numpy.array([[0, 1, 2]], dtype=numpy.uint32), library.EDGE_RATIO)[0], numpy.inf)
