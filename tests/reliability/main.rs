@@ -1,5 +1,6 @@
 //! Nothing brings the host down: the worst meshes, options at their extremes, faults of the machine.
 
+mod allocation;
 mod callback;
 mod extremes;
 #[cfg(all(feature = "cli", unix))]
