@@ -75,7 +75,7 @@ pub fn tails() -> Vec<TailOptions<'static>> {
         flips: true,
         attempts: 1,
         // A call with all of a mesh in the tail takes seconds.
-        operations: Some(60),
+        operations: Some(20),
         ..TailOptions::default()
     };
     vec![

@@ -35,7 +35,8 @@ fn assert_told(output: &Output, what: &str) {
 }
 
 fn names(folder: &Path) -> Vec<String> {
-    let name = |entry: std::io::Result<fs::DirEntry>| entry.expect("an entry").file_name().to_string_lossy().into_owned();
+    let name =
+        |entry: std::io::Result<fs::DirEntry>| entry.expect("an entry").file_name().to_string_lossy().into_owned();
     let mut names: Vec<_> = fs::read_dir(folder).expect("a folder").map(name).collect();
     names.sort();
     names

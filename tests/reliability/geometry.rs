@@ -41,7 +41,7 @@ fn the_tail_holds_its_promises_on_the_worst_meshes() {
                 let name = format!("{name}, tail {k}, features {feature_angle:?}");
                 let options = Options { feature_angle, ..Options::default() };
                 assert_improves(&name, (&positions, &triangles), &options, tail, rounding(&name));
-                if fits_single(&positions) && !name.starts_with("far") {
+                if feature_angle.is_some() && fits_single(&positions) && !name.starts_with("far") {
                     let single = meshes::to_f32(&positions);
                     assert_improves(&name, (&single, &triangles), &options, tail, SINGLE);
                 }
@@ -55,7 +55,7 @@ fn the_tail_holds_its_promises_under_extreme_options() {
     for (name, (positions, triangles)) in shapes::all() {
         for (k, options) in extremes::options().iter().enumerate() {
             let name = format!("{name}, options {k}");
-            let tail = TailOptions { operations: Some(30), ..TailOptions::default() };
+            let tail = TailOptions { operations: Some(10), ..TailOptions::default() };
             assert_improves(&name, (&positions, &triangles), options, &tail, rounding(&name));
         }
     }
@@ -74,9 +74,11 @@ fn vertices_of_any_valence() {
 
 #[test]
 fn as_many_sweeps_as_can_be_asked_for() {
-    for (name, (positions, triangles)) in
-        [("fan", shapes::fan(7, 0.2)), ("tetrahedron", shapes::smallest_closed()[1].clone()), ("blade", shapes::all_features())]
-    {
+    for (name, (positions, triangles)) in [
+        ("fan", shapes::fan(7, 0.2)),
+        ("tetrahedron", shapes::smallest_closed()[1].clone()),
+        ("blade", shapes::all_features()),
+    ] {
         let options = Options { iterations: 10_000, relaxation: 2.0, ..Options::default() };
         assert_smooths(name, &positions, &triangles, &options, 1e-11);
     }

@@ -84,7 +84,7 @@ fn assert_all_follow(
 
 #[test]
 fn a_scale_by_a_power_of_two_changes_no_bit() {
-    for exponent in [-900, -60, -40, -30, -1, 1, 30, 40, 60, 900] {
+    for exponent in [-900, -40, -1, 30, 900] {
         let (up, down) = (2.0_f64.powi(exponent), 2.0_f64.powi(-exponent));
         let scale = |by: f64| move |p: Point| p.map(|x| x * by);
         assert_follows(&format!("2^{exponent}"), scale(up), scale(down), 0.0);
@@ -93,7 +93,7 @@ fn a_scale_by_a_power_of_two_changes_no_bit() {
 
 #[test]
 fn any_scale_changes_only_rounding() {
-    for size in [1e-12, 0.3, 7.0, 1e12] {
+    for size in [1e-12, 0.3, 1e12] {
         let scale = |by: f64| move |p: Point| p.map(|x| x * by);
         assert_follows(&format!("size {size}"), scale(size), scale(1.0 / size), 1e-11);
     }
@@ -101,7 +101,7 @@ fn any_scale_changes_only_rounding() {
 
 #[test]
 fn a_translation_changes_only_rounding() {
-    for offset in [[1.0, -2.0, 3.0], [-1000.0, 4000.0, 0.0], [1_000_000.0; 3]] {
+    for offset in [[-1000.0, 4000.0, 0.0], [1_000_000.0; 3]] {
         let add = |sign: f64| move |p: Point| std::array::from_fn(|k| p[k] + sign * offset[k]);
         let most = 1e-13 * offset.iter().fold(1000.0_f64, |m, x| m.max(x.abs()));
         assert_follows(&format!("offset {offset:?}"), add(1.0), add(-1.0), most);

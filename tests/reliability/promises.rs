@@ -1,14 +1,19 @@
 //! What must hold of every result on every mesh.
 
 use qsmesh::progress::silent;
-use qsmesh::{Constraints, Coordinate, Error, Measurement, Options, Sources, TailOptions, collapse_tails, improve, smooth};
+use qsmesh::{
+    Constraints, Coordinate, Error, Measurement, Options, Sources, TailOptions, collapse_tails, improve, smooth,
+};
 
 use crate::meshes::Mesh;
 
 /// Meshes whose relative volume says something: closed, and not as good as flat.
 fn encloses(measured: &Measurement) -> bool {
     let closed = measured.boundary_edges == 0 && measured.non_manifold_edges == 0 && measured.triangles > 0;
-    closed && measured.volume.is_finite() && measured.area.is_finite() && measured.volume != 0.0
+    closed
+        && measured.volume.is_finite()
+        && measured.area.is_finite()
+        && measured.volume != 0.0
         && measured.volume.abs() > 1e-3 * measured.area.powf(1.5)
 }
 
@@ -28,7 +33,13 @@ fn assert_quality(name: &str, before: &Measurement, after: &Measurement, options
 }
 
 /// Smooths a copy in one precision.
-pub fn assert_smooths<T: Coordinate>(name: &str, positions: &[[T; 3]], triangles: &[[u32; 3]], options: &Options, most: f64) {
+pub fn assert_smooths<T: Coordinate>(
+    name: &str,
+    positions: &[[T; 3]],
+    triangles: &[[u32; 3]],
+    options: &Options,
+    most: f64,
+) {
     let mut after = positions.to_vec();
     let report = smooth(&mut after, triangles, options, &Constraints::default(), &mut silent).expect(name);
     assert_finite(name, &after);
@@ -58,7 +69,10 @@ pub fn assert_improves<T: Coordinate>(
         }
         .expect(name);
         assert_finite(name, &positions);
-        assert!(triangles.iter().flatten().all(|&v| (v as usize) < positions.len()), "{name}: an index is out of range");
+        assert!(
+            triangles.iter().flatten().all(|&v| (v as usize) < positions.len()),
+            "{name}: an index is out of range"
+        );
         assert_eq!((sources.vertex.len(), sources.corner.len()), (positions.len(), 3 * triangles.len()), "{name}");
         assert_eq!(report.tails_after, report.leftovers.len(), "{name}");
         assert_volume(name, &report.before, report.volume_relative_change, most);
