@@ -68,7 +68,7 @@ pub fn together(parts: &[Mesh]) -> Mesh {
 
 /// Three tori, each inside the other; the innermost turned inside out.
 pub fn nested() -> Mesh {
-    let sized = |size: f64| scaled(torus(12, 8, 0.2, 5), size);
+    let sized = |size: f64| scaled(torus(8, 6, 0.2, 5), size);
     let mut inner = sized(0.5);
     inner.1.iter_mut().for_each(|t| t.swap(0, 1));
     together(&[sized(1.0), sized(0.75), inner])
@@ -76,7 +76,7 @@ pub fn nested() -> Mesh {
 
 /// Two tori in one place, two that share a vertex, and two that share an edge.
 pub fn touching() -> Mesh {
-    let one = torus(12, 8, 0.2, 7);
+    let one = torus(8, 6, 0.2, 7);
     let (positions, mut triangles) = together(&[one.clone(), one.clone(), one.clone(), one]);
     let count = (positions.len() / 4) as u32;
     let [a, b, _] = triangles[0];
@@ -93,21 +93,21 @@ pub fn touching() -> Mesh {
 
 /// A torus with every seventh vertex pulled far out, or through the surface to the other side.
 pub fn spiky(length: f64) -> Mesh {
-    let (mut positions, triangles) = torus(16, 10, 0.2, 3);
+    let (mut positions, triangles) = torus(10, 7, 0.2, 3);
     positions.iter_mut().step_by(7).for_each(|p| *p = p.map(|x| x * length));
     (positions, triangles)
 }
 
 /// A closed surface squeezed so that every triangle is a needle of that ratio.
 pub fn needles(ratio: f64) -> Mesh {
-    let (mut positions, triangles) = torus(16, 10, 0.2, 11);
+    let (mut positions, triangles) = torus(10, 7, 0.2, 11);
     positions.iter_mut().for_each(|p| p[0] *= ratio);
     (positions, triangles)
 }
 
 /// Edges of about `size` around a point that far from the origin.
 pub fn far_away(distance: f64, size: f64) -> Mesh {
-    let (mut positions, triangles) = scaled(torus(16, 10, 0.2, 13), size);
+    let (mut positions, triangles) = scaled(torus(10, 7, 0.2, 13), size);
     positions.iter_mut().flatten().for_each(|x| *x += distance);
     (positions, triangles)
 }
@@ -162,8 +162,8 @@ pub fn all() -> Vec<(String, Mesh)> {
         add(&format!("fan of {valence}"), fan(valence, 0.1));
         add(&format!("spindle of {valence}"), spindle(valence));
     }
-    add("Moebius strip", moebius(20, 4));
-    add("Klein bottle", klein(20, 12));
+    add("Moebius strip", moebius(12, 3));
+    add("Klein bottle", klein(12, 8));
     add("nested", nested());
     add("touching", touching());
     for length in [1.5, -1.5, 1e3, 1e9] {
@@ -173,7 +173,7 @@ pub fn all() -> Vec<(String, Mesh)> {
         add(&format!("needles of {ratio}"), needles(ratio));
     }
     for size in [1e-300, 1e-150, 1e-12, 1e-6, 1e6, 1e12, 1e150, 1e300] {
-        add(&format!("size {size}"), scaled(torus(14, 8, 0.3, 17), size));
+        add(&format!("size {size}"), scaled(torus(9, 6, 0.3, 17), size));
     }
     add("far from the origin", far_away(1e8, 1e-3));
     add("farther than its digits reach", far_away(1e16, 1e-3));
