@@ -245,7 +245,8 @@ fn maps(host: &mut Host, bytes: &mut Bytes<'_>) -> c::Maps {
     if bytes.flag() {
         (maps.leftovers, maps.leftover_capacity) = (host.leftovers.as_mut_ptr(), host.leftovers.len());
     }
-    if bytes.below(8) == 0 {
+    if bytes.below(8) == 0 && !host.indices.is_empty() {
+        // Overlaps memory that is written.
         maps.vertex_source = host.indices.as_mut_ptr();
     }
     if bytes.below(16) == 0 {

@@ -140,7 +140,7 @@ pub fn tail_options(bytes: &mut Bytes<'_>) -> TailOptions<'static> {
         min_angle: bytes.number(&[20.0, 1e-300, 59.999, 30.0]),
         max_angle: bytes.number(&[130.0, 60.001, 179.999, 100.0]),
         flips: bytes.flag(),
-        attempts: bytes.choice(&[3, 1, 20, 0, 1001]),
+        attempts: bytes.choice(&[3, 1, 6, 0, 1001]),
         operations: bytes.flag().then(|| bytes.below(8)),
         mask: &[],
     }
