@@ -13,13 +13,13 @@ use crate::meshes::{Mesh, Random, scattered, torus};
 
 type Point = [f64; 3];
 
-/// Smoothing, and smoothing with the tail behind it, in both orders, with and without features.
+/// Smoothing, and smoothing with the tail behind it, in both orders.
 fn settings() -> Vec<(Options, bool)> {
-    let tail = sweeps().into_iter().map(|(options, _)| (options, true));
-    sweeps().into_iter().chain(tail).collect()
+    let tail = |order, feature_angle| (Options { order, feature_angle, ..Options::default() }, true);
+    sweeps().into_iter().chain([tail(Order::Colors, Some(30.0)), tail(Order::Index, None)]).collect()
 }
 
-/// The first half of them.
+/// Smoothing in both orders, with and without features.
 fn sweeps() -> Vec<(Options, bool)> {
     let mut all = Vec::new();
     for order in [Order::Colors, Order::Index] {
