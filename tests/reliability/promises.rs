@@ -1,5 +1,6 @@
 //! What must hold of every result on every mesh.
 
+use glam::DVec3;
 use qsmesh::progress::silent;
 use qsmesh::{
     Constraints, Coordinate, Error, Measurement, Options, Sources, TailOptions, collapse_tails, improve, smooth,
@@ -32,6 +33,35 @@ fn assert_quality(name: &str, before: &Measurement, after: &Measurement, options
     assert!(now >= least - 1e-9, "{name}: the worst triangle went from {then} to {now}");
 }
 
+/// Positions of about size 1, so that areas neither overflow nor vanish.
+fn sized<T: Coordinate>(positions: &[[T; 3]], size: f64) -> Vec<DVec3> {
+    positions.iter().map(|p| DVec3::from_array(p.map(|x| x.to_f64() / size))).collect()
+}
+
+/// Twice the vector area.
+fn normal(positions: &[DVec3], &[a, b, c]: &[u32; 3]) -> DVec3 {
+    let [a, b, c] = [a, b, c].map(|v| positions[v as usize]);
+    (b - a).cross(c - a)
+}
+
+/// No triangle that had a shape and lay flat among its neighbours has turned by more than the 75° that a visit may turn it.
+fn assert_no_folds<T: Coordinate>(name: &str, before: &[[T; 3]], after: &[[T; 3]], triangles: &[[u32; 3]]) {
+    let size = before.iter().flatten().map(|x| x.to_f64().abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let (before, after) = (sized(before, size), sized(after, size));
+    let mut areas = vec![DVec3::ZERO; before.len()];
+    triangles.iter().for_each(|t| t.iter().for_each(|&v| areas[v as usize] += normal(&before, t)));
+    for (i, t) in triangles.iter().enumerate() {
+        let (then, now) = (normal(&before, t), normal(&after, t));
+        let [a, b, c] = t.map(|v| before[v as usize]);
+        let squares = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
+        let is_flat = t.iter().all(|&v| then.dot(areas[v as usize]) >= 0.0);
+        if is_flat && 12.0_f64.sqrt() * then.length() > 0.01 * squares {
+            let cosine = then.dot(now) / (then.length() * now.length());
+            assert!(cosine > 0.2588, "{name}: triangle {i} has turned, cosine {cosine}");
+        }
+    }
+}
+
 /// Smooths a copy in one precision.
 pub fn assert_smooths<T: Coordinate>(
     name: &str,
@@ -45,6 +75,7 @@ pub fn assert_smooths<T: Coordinate>(
     assert_finite(name, &after);
     assert_volume(name, &report.before, report.volume_relative_change, most);
     assert_quality(name, &report.before, &report.after, options);
+    assert_no_folds(name, positions, &after, triangles);
     let bits = |p: &[T; 3]| p.map(|x| x.to_f64().to_bits());
     let moved = after.iter().zip(positions).filter(|(a, b)| bits(a) != bits(b)).count();
     assert_eq!(moved, report.moved, "{name}: vertices moved");
