@@ -11,6 +11,17 @@ pub(crate) fn reserved<T>(capacity: usize) -> Result<Vec<T>, Error> {
     Ok(vector)
 }
 
+/// A vector of all that comes, however much that is.
+pub(crate) fn gathered<T>(source: impl Iterator<Item = T>) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    for item in source {
+        let bytes = (vector.len() + 1).saturating_mul(size_of::<T>());
+        vector.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+        vector.push(item);
+    }
+    Ok(vector)
+}
+
 /// A vector of `length` copies of `value`.
 pub(crate) fn filled<T: Clone>(value: T, length: usize) -> Result<Vec<T>, Error> {
     let mut vector = reserved(length)?;

@@ -131,6 +131,12 @@ fn c89_host_is_told_of_every_misuse_with_tails() {
 }
 
 #[test]
+#[cfg(unix)]
+fn host_may_fork() {
+    run_everywhere(C_COMPILERS, C89, &["tests/c/fork.c"]);
+}
+
+#[test]
 fn cpp17_host_smooths_vertices_with_attributes() {
     run_everywhere(CPP_COMPILERS, CPP17, &["tests/c/smooth_cpp17.cpp", "tests/c/torus.c"]);
 }

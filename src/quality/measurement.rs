@@ -142,9 +142,10 @@ impl Measurement {
         self.boundary_edges == 0 && self.non_manifold_edges == 0
     }
 
-    /// (this − before) / |before| of the signed volume; 0 unless both are closed and enclose one.
+    /// (this − before) / |before| of the signed volume; 0 unless both are closed and enclose one that `f64` can hold.
     pub(crate) fn volume_change_from(&self, before: &Self) -> f64 {
-        if self.is_closed() && before.is_closed() && before.volume != 0.0 {
+        let comparable = before.volume != 0.0 && before.volume.is_finite() && self.volume.is_finite();
+        if self.is_closed() && before.is_closed() && comparable {
             (self.volume - before.volume) / before.volume.abs()
         } else {
             0.0

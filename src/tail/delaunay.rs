@@ -40,8 +40,8 @@ pub(super) struct Flipper<'a> {
     is_queued: Vec<bool>,
     /// Flips carried out.
     pub count: usize,
-    /// Vertices of flipped triangles, with repetitions.
-    touched: Vec<u32>,
+    /// Whether a vertex is one of a flipped triangle.
+    is_touched: Vec<bool>,
 }
 
 impl<'a> Flipper<'a> {
@@ -57,7 +57,7 @@ impl<'a> Flipper<'a> {
             queue: queue.into(),
             is_queued: memory::filled(true, slots)?,
             count: 0,
-            touched: Vec::new(),
+            is_touched: memory::filled(false, live.positions.len())?,
         })
     }
 
@@ -73,10 +73,10 @@ impl<'a> Flipper<'a> {
             self.is_queued[slot as usize] = false;
             self.look_at(live, slot);
         }
-        self.touched.sort_unstable();
-        self.touched.dedup();
-        for v in std::mem::take(&mut self.touched) {
-            self.visit(live, v);
+        for v in 0..self.is_touched.len() {
+            if self.is_touched[v] {
+                self.visit(live, v as u32);
+            }
         }
         Ok(())
     }
@@ -112,7 +112,7 @@ impl<'a> Flipper<'a> {
             return false;
         }
         self.count += 1;
-        self.touched.extend(quad);
+        quad.iter().for_each(|&v| self.is_touched[v as usize] = true);
         for slot in commit(live, &patch, &shape) {
             let is_in_quad = live.triangles[slot as usize].iter().filter(|v| quad.contains(v)).count() == 3;
             self.flips[slot as usize] += u8::from(is_in_quad);

@@ -40,13 +40,13 @@ impl<'a> Live<'a> {
         let (offsets, incident) = incidence(mesh.triangles, positions.len())?;
         Ok(Self {
             input: mesh.triangles,
-            positions,
             triangles: memory::copied(mesh.triangles)?,
             triangle_source,
             corner_source,
-            removed: Vec::new(),
+            removed: memory::reserved(positions.len())?,
             offsets,
             incident,
+            positions,
             changed: BTreeMap::new(),
         })
     }

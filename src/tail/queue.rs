@@ -11,6 +11,7 @@ use super::options::TailOptions;
 use super::report::{Reason, TailReport};
 use super::treat::{Cure, Operation, Surgeon};
 use crate::error::Error;
+use crate::memory;
 use crate::progress::{self, Progress};
 
 /// Triangles treated between two calls of the progress callback.
@@ -53,11 +54,13 @@ pub(super) struct Queue<'a> {
 
 impl<'a> Queue<'a> {
     /// All tail triangles of the mesh wait.
-    pub fn new(live: &Live<'_>, limits: &'a Limits, options: &'a TailOptions<'a>) -> Self {
+    pub fn new(live: &Live<'_>, limits: &'a Limits, options: &'a TailOptions<'a>) -> Result<Self, Error> {
         let tails = detect::tails(live, limits, options.mask);
-        let heap: BinaryHeap<_> = tails.map(|(slot, excess)| Waiting { excess, slot }).collect();
-        let attempts = heap.iter().map(|w| (w.slot, 0)).collect();
-        Self { limits, options, heap, attempts, reasons: BTreeMap::new(), lost_height: 0.0 }
+        let waiting = memory::gathered(tails.map(|(slot, excess)| Waiting { excess, slot }))?;
+        // One by one: collecting would take memory for all of them at once.
+        let mut attempts = BTreeMap::new();
+        attempts.extend(waiting.iter().map(|w| (w.slot, 0)));
+        Ok(Self { limits, options, heap: waiting.into(), attempts, reasons: BTreeMap::new(), lost_height: 0.0 })
     }
 
     /// How many wait.
@@ -80,8 +83,7 @@ impl<'a> Queue<'a> {
         tell: &mut Progress<'_>,
     ) -> Result<(), Error> {
         self.treat_all(live, surgeon, report, tell)?;
-        self.explain(live, surgeon);
-        Ok(())
+        self.explain(live, surgeon)
     }
 
     fn treat_all(
@@ -103,7 +105,7 @@ impl<'a> Queue<'a> {
             match surgeon.treat(live, slot) {
                 Ok(cure) => {
                     operations += 1;
-                    self.carry_out(live, &cure, report);
+                    self.carry_out(live, &cure, report)?;
                 }
                 Err(reason) => {
                     self.reasons.insert(slot, reason);
@@ -114,14 +116,15 @@ impl<'a> Queue<'a> {
     }
 
     /// Finds the reasons of those whose attempts have all been of use and yet not enough.
-    fn explain(&mut self, live: &Live<'_>, surgeon: &mut Surgeon<'_>) {
+    fn explain(&mut self, live: &Live<'_>, surgeon: &mut Surgeon<'_>) -> Result<(), Error> {
         let spent = |slot: &u32| self.attempts[slot] >= self.options.attempts && !self.reasons.contains_key(slot);
-        let slots: Vec<_> = self.left(live).filter(spent).collect();
+        let slots = memory::gathered(self.left(live).filter(spent))?;
         for slot in slots {
             if let Err(reason) = surgeon.treat(live, slot) {
                 self.reasons.insert(slot, reason);
             }
         }
+        Ok(())
     }
 
     /// The worst slot that is still as it was when it was put here and has attempts left.
@@ -137,7 +140,7 @@ impl<'a> Queue<'a> {
     }
 
     /// Puts the change into the mesh, and the tail triangles near it back into the queue.
-    fn carry_out(&mut self, live: &mut Live<'_>, cure: &Cure, report: &mut TailReport) {
+    fn carry_out(&mut self, live: &mut Live<'_>, cure: &Cure, report: &mut TailReport) -> Result<(), Error> {
         let near = commit(live, &cure.patch, &cure.shape);
         self.lost_height = self.lost_height.max(cure.lost_height);
         match cure.operation {
@@ -151,10 +154,13 @@ impl<'a> Queue<'a> {
             match detect::excess(live, self.limits, slot) {
                 Some(excess) if excess > 1.0 && asked => {
                     self.attempts.entry(slot).or_insert(0);
+                    let bytes = (self.heap.len() + 1) * size_of::<Waiting>();
+                    self.heap.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
                     self.heap.push(Waiting { excess, slot });
                 }
                 _ => {}
             }
         }
+        Ok(())
     }
 }

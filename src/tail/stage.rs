@@ -54,12 +54,12 @@ pub(crate) fn run(
     }
     let rest = &mut |done: f64| progress(if options.flips { FLIPS + (1.0 - FLIPS) * done } else { done });
     let mut surgeon = Surgeon::new(around, &limits);
-    let mut queue = Queue::new(&live, &limits, options);
+    let mut queue = Queue::new(&live, &limits, options)?;
     queue.run(&mut live, &mut surgeon, &mut report, rest)?;
 
     let compact = Compact::new(&live)?;
     let number = |slot: u32| compact.slots.partition_point(|&s| s < slot) as u32;
-    report.leftovers = leftovers::list(&live, &limits, &queue, number);
+    report.leftovers = leftovers::list(&live, &limits, &queue, number)?;
     report.tails_after = report.leftovers.len();
     report.vertices_removed = live.removed.len();
     report.triangles_removed = live.triangles.len() - compact.slots.len();
