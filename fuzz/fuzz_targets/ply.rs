@@ -7,7 +7,7 @@ use qsmesh_fuzz::round_trip::{Format, check};
 
 const PLY: Format<ply::Carrier> = Format {
     read: ply::read,
-    write: |carrier, out, old, new, faces| carrier.write(out, old, new, faces),
+    write: |carrier, out, old, new, faces| carrier.write(out, old, new, faces, None),
     seams: ply::Carrier::seams,
     keeps_bytes: |_| true,
 };

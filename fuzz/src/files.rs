@@ -10,6 +10,8 @@ pub mod normals;
 pub mod obj;
 #[path = "../../src/bin/qsmesh/files/off.rs"]
 pub mod off;
+#[path = "../../src/bin/qsmesh/files/paint.rs"]
+pub mod paint;
 #[path = "../../src/bin/qsmesh/files/ply/mod.rs"]
 pub mod ply;
 #[path = "../../src/bin/qsmesh/files/positions.rs"]
