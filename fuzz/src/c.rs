@@ -7,6 +7,7 @@ use qsmesh as _;
 
 pub const OK: i32 = 0;
 pub const PANIC: i32 = 14;
+pub const LAST: i32 = 15;
 
 #[repr(C)]
 #[derive(Clone, Copy)]

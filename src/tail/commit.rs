@@ -39,7 +39,7 @@ pub(super) fn commit(live: &mut Live<'_>, patch: &Patch, shape: &Shape) -> Vec<u
         live.positions[v as usize] = position;
     }
     let vertices = touched.iter().map(|&v| patch.vertices[v]);
-    let lost: Vec<_> = vertices.filter(|&v| live.around(v).is_empty()).collect();
+    let lost: Vec<_> = vertices.filter(|&v| live.is_left_alone(v)).collect();
     live.removed.extend(lost);
     near
 }

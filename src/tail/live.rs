@@ -23,6 +23,8 @@ pub(super) struct Live<'a> {
     pub corner_source: Vec<[u32; 3]>,
     /// Vertices that are no longer there, in the order of their removal.
     pub removed: Vec<u32>,
+    /// Vertices that stay because triangles that name a vertex twice have them as corners, rising.
+    bound: Vec<u32>,
     offsets: Vec<u32>,
     incident: Vec<u32>,
     /// Slots around the vertices whose triangles have changed.
@@ -44,6 +46,7 @@ impl<'a> Live<'a> {
             triangle_source,
             corner_source,
             removed: memory::reserved(positions.len())?,
+            bound: bound(mesh.triangles)?,
             offsets,
             incident,
             positions,
@@ -71,6 +74,11 @@ impl<'a> Live<'a> {
         stars.min_by_key(|slots| slots.len()).unwrap_or_default()
     }
 
+    /// Whether no triangle has the vertex any more, not even one that names a vertex twice.
+    pub fn is_left_alone(&self, v: u32) -> bool {
+        self.around(v).is_empty() && self.bound.binary_search(&v).is_err()
+    }
+
     /// Takes a triangle out of its slot.
     pub fn take_out(&mut self, slot: u32) {
         for v in std::mem::replace(&mut self.triangles[slot as usize], GONE) {
@@ -90,6 +98,14 @@ impl<'a> Live<'a> {
         let range = self.offsets[v as usize] as usize..self.offsets[v as usize + 1] as usize;
         self.changed.entry(v).or_insert_with(|| self.incident[range].to_vec())
     }
+}
+
+/// The corners of triangles that name a vertex twice, rising. No star has these triangles, so nothing takes them out.
+fn bound(triangles: &[[u32; 3]]) -> Result<Vec<u32>, Error> {
+    let mut corners = memory::gathered(triangles.iter().filter(|t| repeats_a_vertex(t)).flatten().copied())?;
+    corners.sort_unstable();
+    corners.dedup();
+    Ok(corners)
 }
 
 /// Slots around each vertex, in rising order, in one flat array behind offsets.

@@ -9,9 +9,9 @@ use qsmesh::{collapse_tails, histogram, improve, measure, smooth};
 
 use crate::meshes::{Mesh, torus};
 
-/// Bytes from which on an allocation is large. What a call takes for a vertex or a triangle is much more on the meshes
-/// below; what it takes whatever the mesh, less.
-const LARGE: usize = 16 << 10;
+/// Bytes from which on an allocation is large. What a call takes for the vertices or the triangles of the mesh below is more,
+/// be it a byte for each; what it takes whatever the mesh, less.
+const LARGE: usize = 32 << 10;
 
 thread_local! {
     /// Large allocations of this thread that still succeed.
@@ -74,12 +74,20 @@ fn assert_survives<R>(name: &str, mesh: &Mesh, call: impl Fn(&mut Mesh) -> Resul
 }
 
 fn mesh() -> Mesh {
-    torus(90, 50, 0.35, 3)
+    torus(222, 150, 0.1, 3)
 }
 
 fn options() -> Vec<Options> {
     let by_index = Options { order: Order::Index, feature_angle: None, measure: false, ..Options::default() };
-    vec![Options { max_deviation: Some(0.1), ..Options::default() }, by_index]
+    let with = |order| Options { order, iterations: 1, measure: false, ..Options::default() };
+    let sizes = Options { keep_sizes: true, ..with(Order::Given) };
+    vec![
+        Options { max_deviation: Some(0.1), ..Options::default() },
+        by_index,
+        with(Order::Wave),
+        with(Order::Tail),
+        sizes,
+    ]
 }
 
 #[test]
@@ -90,8 +98,9 @@ fn measuring_without_memory() {
 
 #[test]
 fn smoothing_without_memory() {
+    let visits: Vec<u32> = (0..mesh().0.len() as u32).collect();
     for options in options() {
-        let fixed = Constraints::default();
+        let fixed = Constraints { visits: &visits, ..Constraints::default() };
         assert_survives("smooth", &mesh(), |mesh| smooth(&mut mesh.0, &mesh.1, &options, &fixed, &mut silent));
     }
 }
