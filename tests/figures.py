@@ -307,6 +307,50 @@ def check_tail(ruler, folder, name, options, bounds):
     check(all(one["reason"] for one in leftovers), f"{label}: {len(leftovers)} leftovers, each with its reason")
 
 
+def check_orders(ruler, folder):
+    """The worst triangle is better where the worst come first."""
+    target, worst = Path(folder) / "order.ply", {}
+    for order in ("index", "tail"):
+        smooth(SHARED / "data" / "horse.ply", target, [*OFF, "--order", order])
+        worst[order] = shapes(ruler, *ruler.load(str(target))).min()
+    check(worst["tail"] > worst["index"], f"horse.ply: worst shape {worst['tail']:.3f} by tail, {worst['index']:.3f} by index")
+
+
+def log_sizes(positions, triangles):
+    """Per vertex the logarithm of the mean, over the vertices at most two edges away, of the mean area of their triangles."""
+    import numpy
+
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    area = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 2
+    count = len(positions)
+    corners = triangles.ravel()
+    mean = numpy.bincount(corners, area.repeat(3), count) / numpy.bincount(corners, minlength=count)
+    pairs = numpy.concatenate([triangles[:, [i, j]] for i in range(3) for j in range(3)])
+    near = numpy.unique(pairs[:, 0] * count + pairs[:, 1])
+    start, end = near // count, near % count
+    first = numpy.searchsorted(start, numpy.arange(count + 1))
+    lengths = (first[1:] - first[:-1])[end]
+    offsets = numpy.arange(lengths.sum()) - (lengths.cumsum() - lengths).repeat(lengths)
+    around = numpy.unique(start.repeat(lengths) * count + end[first[end].repeat(lengths) + offsets])
+    members = numpy.bincount(around // count, minlength=count)
+    return numpy.log(numpy.bincount(around // count, mean[around % count], count) / members)
+
+
+def check_sizes(ruler, folder):
+    """With sizes kept, those of the result go with those of the input."""
+    import numpy
+
+    source, target = SHARED / "data" / "horse.ply", Path(folder) / "sizes.ply"
+    positions, triangles = ruler.load(str(source))
+    before = log_sizes(positions, triangles.astype(numpy.int64))
+    for sweeps, bounds in ((2, (0.985, 1.45)), (10, (0.95, 1.40))):
+        report = smooth(source, target, [*OFF, "--keep-sizes", "--iterations", str(sweeps)])
+        after = log_sizes(ruler.load(str(target))[0], triangles.astype(numpy.int64))
+        found, mean = numpy.corrcoef(before, after)[0, 1], report["after"]["edge_ratio"]["mean"]
+        figures = f"correlation of sizes {found:.4f}, edge_ratio mean {mean:.4f} (bounds {bounds})"
+        check(found >= bounds[0] and mean <= bounds[1], f"horse.ply, sizes kept, {sweeps} sweeps: {figures}")
+
+
 def check_refusal(folder):
     """A NaN is an error that names vertex and line, and no file is written."""
     source, target = SHARED / "data" / "nasty_nan.off", Path(folder) / "refused.off"
@@ -345,6 +389,8 @@ def main():
             check_boundary(ruler, folder)
             for name, options in itertools.product(CLOSED, SETTINGS):
                 check_promises(ruler, folder, name, options)
+            check_orders(ruler, folder)
+            check_sizes(ruler, folder)
             check_refusal(folder)
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)
