@@ -48,7 +48,7 @@ pub fn collapse_tails<T: Coordinate>(
 ) -> Result<TailReport, Error> {
     check(options, tail, triangles)?;
     let output = Threads::with(options.threads, positions.len(), |threads| {
-        let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
+        let prepared = Preparation::new(positions.as_slice(), triangles, options, constraints, threads)?;
         progress::tell(progress, 0.0)?;
         let around = prepared.surroundings(options);
         let start = memory::copied(&prepared.mesh.positions)?;
@@ -80,7 +80,7 @@ pub fn improve<T: Coordinate>(
 ) -> Result<Improvement, Error> {
     check(options, tail, triangles)?;
     let (smoothing, output) = Threads::with(options.threads, positions.len(), |threads| {
-        let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
+        let prepared = Preparation::new(positions.as_slice(), triangles, options, constraints, threads)?;
         progress::tell(progress, 0.0)?;
         let around = prepared.surroundings(options);
         let sweeps = &mut |done: f64| progress(SWEEPS * done);

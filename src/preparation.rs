@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use crate::error::Error;
 use crate::features::Features;
-use crate::mesh::{Coordinate, Mesh, Stars};
+use crate::mesh::{Coordinate, Mesh, Stars, Vertices};
 use crate::options::{Constraints, Options, Order};
 use crate::star::{Operation, Sizes};
 use crate::sweep::Surroundings;
@@ -25,16 +25,16 @@ pub(crate) struct Preparation<'a> {
 impl<'a> Preparation<'a> {
     /// Checks options, constraints and buffers.
     pub fn new<T: Coordinate>(
-        positions: &[[T; 3]],
+        positions: &(impl Vertices<T> + ?Sized),
         triangles: &'a [[u32; 3]],
         options: &Options,
         constraints: &Constraints<'_>,
         threads: &Threads<'_>,
     ) -> Result<Self, Error> {
-        check_constraints(constraints, positions.len())?;
-        check_order(options.order, constraints, positions.len())?;
+        check_constraints(constraints, positions.count())?;
+        check_order(options.order, constraints, positions.count())?;
         let clock = Instant::now();
-        let mesh = Mesh::new(positions, triangles)?;
+        let mesh = Mesh::new(positions, triangles, threads)?;
         let stars = Stars::new(&mesh, threads)?;
         let adjacency = clock.elapsed().as_secs_f64();
         let features = Features::new(&mesh, &stars, options, constraints, threads)?;

@@ -1,5 +1,7 @@
 //! What a call did, in figures.
 
+use std::ops::Add;
+
 use crate::quality::Measurement;
 
 /// Why vertices kept their bits. Each vertex of the mesh is either moved or counted under exactly one reason.
@@ -23,6 +25,24 @@ pub struct Kept {
     pub deviation: usize,
     /// Already where the operation on its star would put it, or not visited in the order that was chosen.
     pub settled: usize,
+}
+
+impl Add for Kept {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            unreferenced: self.unreferenced + other.unreferenced,
+            locked: self.locked + other.locked,
+            non_manifold: self.non_manifold + other.non_manifold,
+            degenerate: self.degenerate + other.degenerate,
+            boundary: self.boundary + other.boundary,
+            corner: self.corner + other.corner,
+            guard: self.guard + other.guard,
+            deviation: self.deviation + other.deviation,
+            settled: self.settled + other.settled,
+        }
+    }
 }
 
 /// Wall time of the library's own work, in seconds; measuring is not part of it.

@@ -1,5 +1,6 @@
 //! The whole way: buffers in, validated mesh, stars, features, sweeps, report, buffers out.
 
+use std::ops::Range;
 use std::time::Instant;
 
 use glam::DVec3;
@@ -7,7 +8,7 @@ use glam::DVec3;
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
-use crate::mesh::{Coordinate, repeats_a_vertex};
+use crate::mesh::{Coordinate, Vertices, repeats_a_vertex};
 use crate::options::{Constraints, Options};
 use crate::preparation::Preparation;
 use crate::progress::{self, Progress};
@@ -34,15 +35,26 @@ pub fn smooth<T: Coordinate>(
     constraints: &Constraints<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
+    smooth_vertices(positions, triangles, options, constraints, progress)
+}
+
+/// [`smooth`] for positions wherever they lie.
+pub(crate) fn smooth_vertices<T: Coordinate>(
+    positions: &mut (impl Vertices<T> + ?Sized),
+    triangles: &[[u32; 3]],
+    options: &Options,
+    constraints: &Constraints<'_>,
+    progress: &mut Progress<'_>,
+) -> Result<Report, Error> {
     options.validate()?;
-    Threads::with(options.threads, positions.len(), |threads| {
+    Threads::with(options.threads, positions.count(), |threads| {
         smooth_on(threads, positions, triangles, options, constraints, progress)
     })
 }
 
 fn smooth_on<T: Coordinate>(
     threads: &Threads<'_>,
-    positions: &mut [[T; 3]],
+    positions: &mut (impl Vertices<T> + ?Sized),
     triangles: &[[u32; 3]],
     options: &Options,
     constraints: &Constraints<'_>,
@@ -53,11 +65,7 @@ fn smooth_on<T: Coordinate>(
     let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;
     let mesh = &prepared.mesh;
-    for ((old, &new), stored) in mesh.positions.iter().zip(&new).zip(positions) {
-        if *old != new {
-            *stored = mesh.stored(new);
-        }
-    }
+    positions.set(|v| (mesh.positions[v] != new[v]).then(|| mesh.stored(new[v])), threads);
     Ok(report)
 }
 
@@ -75,7 +83,7 @@ pub(crate) fn sweeps(
     let (new, tally) = sweep::run(&around, &outcomes, options, constraints, threads, progress)?;
     let sweeps = clock.elapsed().as_secs_f64();
 
-    let mut report = count(&around, &new, &outcomes, tally);
+    let mut report = count(&around, &new, &outcomes, tally, threads);
     let (adjacency, features) = (prepared.adjacency, prepared.finding);
     report.seconds = Seconds { total: adjacency + features + sweeps, adjacency, features, sweeps, tail: 0.0 };
     if options.measure {
@@ -84,13 +92,30 @@ pub(crate) fn sweeps(
     Ok((new, report))
 }
 
-/// Counts what became of each vertex.
-fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: Tally) -> Report {
-    let mut kept = Kept::default();
-    let mut moved = 0;
-    for (v, &place) in new.iter().enumerate() {
+fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: Tally, threads: &Threads<'_>) -> Report {
+    let parts = threads.parts(new.len(), |part| count_part(around, new, outcomes, part));
+    let (moved, kept) =
+        parts.into_iter().fold((0, Kept::default()), |(moved, kept), part| (moved + part.0, kept + part.1));
+    let skipped = threads.parts(around.mesh.triangles.len(), |part| {
+        around.mesh.triangles[part].iter().filter(|t| repeats_a_vertex(t)).count()
+    });
+    Report {
+        moved,
+        kept,
+        skipped_triangles: skipped.into_iter().sum(),
+        feature_edges: around.features.edge_count,
+        moves_halved: tally.halved,
+        moves_refused: tally.refused,
+        ..Report::default()
+    }
+}
+
+/// Counts what became of each vertex of a part: how many have moved, and why the others have not.
+fn count_part(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
+    let (mut moved, mut kept) = (0, Kept::default());
+    for v in part {
         let reason = match (around.features.role(v as u32), outcomes.get(v as u32)) {
-            _ if place != around.mesh.positions[v] => &mut moved,
+            _ if new[v] != around.mesh.positions[v] => &mut moved,
             (Role::Unreferenced, _) => &mut kept.unreferenced,
             (Role::Locked, _) => &mut kept.locked,
             (Role::NonManifold, _) => &mut kept.non_manifold,
@@ -103,15 +128,7 @@ fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: T
         };
         *reason += 1;
     }
-    Report {
-        moved,
-        kept,
-        skipped_triangles: around.mesh.triangles.iter().filter(|t| repeats_a_vertex(t)).count(),
-        feature_edges: around.features.edge_count,
-        moves_halved: tally.halved,
-        moves_refused: tally.refused,
-        ..Report::default()
-    }
+    (moved, kept)
 }
 
 fn measure_into(

@@ -7,6 +7,9 @@ use std::thread::available_parallelism;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::error::Error;
+use crate::memory;
+
 /// Vertices for which another thread is worth its start.
 const WORTH_A_THREAD: usize = 20_000;
 
@@ -45,6 +48,11 @@ impl Threads<'_> {
         self.0.is_none()
     }
 
+    /// How many work at once.
+    pub fn count(&self) -> usize {
+        self.0.map_or(1, ThreadPool::current_num_threads)
+    }
+
     /// Carries out tasks, on the calling thread one by one or on all threads in any order. What they return comes in their
     /// own order.
     pub fn map<T: Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
@@ -57,6 +65,23 @@ impl Threads<'_> {
     /// The sum of what tasks return.
     pub fn sum<T: Sum + Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> T {
         self.map(tasks, work).into_iter().sum()
+    }
+
+    /// What `work` makes of each number below `count`. The memory is first touched by the threads that fill it.
+    pub fn collect<T: Send>(&self, count: usize, work: impl Fn(usize) -> T + Sync) -> Result<Vec<T>, Error> {
+        let mut all = memory::reserved(count)?;
+        match self.0 {
+            None => all.extend((0..count).map(work)),
+            Some(pool) => {
+                pool.install(|| (0..count).into_par_iter().with_min_len(PART).map(&work).collect_into_vec(&mut all));
+            }
+        }
+        Ok(all)
+    }
+
+    /// What `work` makes of the parts of `0..count`, in their order.
+    pub fn parts<T: Send>(&self, count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+        self.map(0..count.div_ceil(PART), |part| work(part * PART..((part + 1) * PART).min(count)))
     }
 
     /// Carries out a piece of work on each of several parts.

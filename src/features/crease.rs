@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::quality::triangle::Sides;
-use crate::threads::{PART, Threads};
+use crate::threads::Threads;
 
 /// Mean-ratio shape below which a triangle's own normal is not believed.
 const THIN: f64 = 0.3;
@@ -30,9 +30,10 @@ pub(super) fn mark(
     slots: &mut SlotSet,
 ) -> Result<(), Error> {
     let dihedral = Dihedral { mesh, stars, sharp: libm::cos(angle.to_radians()) };
-    let vertices = |part: usize| (part * PART) as u32..((part + 1) * PART).min(stars.len()) as u32;
-    let edges = threads.map(0..stars.len().div_ceil(PART), |part| dihedral.sharp_edges(vertices(part))).concat();
-    let mut patches = Patches::new(stars.len())?;
+    let parts = threads.parts(stars.len(), |part| dihedral.sharp_edges(part.start as u32..part.end as u32));
+    let mut edges = memory::reserved(parts.iter().map(Vec::len).sum())?;
+    parts.into_iter().for_each(|part| edges.extend(part));
+    let mut patches = Patches::new(&edges)?;
     edges.iter().for_each(|&(ends, _)| patches.join(ends));
     edges.iter().for_each(|&(ends, clear)| patches.count(ends, clear));
     for &([a, b], _) in edges.iter().filter(|&&(ends, _)| patches.is_credible(ends)) {
@@ -130,42 +131,52 @@ fn cosine(a: DVec3, b: DVec3) -> f64 {
     if square > 0.0 { a.dot(b) / square.sqrt() } else { 1.0 }
 }
 
-/// Connected sets of sharp edges (union-find over the vertices).
+/// Connected sets of sharp edges (union-find over their ends).
 struct Patches {
-    parents: Vec<u32>,
+    /// Ends of sharp edges, rising.
+    vertices: Vec<u32>,
+    /// Per entry of `vertices` another one of the same set, or itself.
+    parents: Vec<usize>,
     edges: Vec<u32>,
     unclear: Vec<bool>,
 }
 
 impl Patches {
-    fn new(vertex_count: usize) -> Result<Self, Error> {
-        let mut parents = memory::reserved(vertex_count)?;
-        parents.extend(0..vertex_count as u32);
-        Ok(Self { parents, edges: memory::filled(0, vertex_count)?, unclear: memory::filled(false, vertex_count)? })
+    fn new(edges: &[([u32; 2], bool)]) -> Result<Self, Error> {
+        let mut vertices = memory::reserved(2 * edges.len())?;
+        vertices.extend(edges.iter().flat_map(|(ends, _)| ends));
+        vertices.sort_unstable();
+        vertices.dedup();
+        let count = vertices.len();
+        let mut parents = memory::reserved(count)?;
+        parents.extend(0..count);
+        Ok(Self { vertices, parents, edges: memory::filled(0, count)?, unclear: memory::filled(false, count)? })
     }
 
-    fn root(&mut self, mut v: u32) -> u32 {
-        while self.parents[v as usize] != v {
-            let grandparent = self.parents[self.parents[v as usize] as usize];
-            self.parents[v as usize] = grandparent;
-            v = grandparent;
+    /// The entry that stands for the set of vertex `v`.
+    fn root(&mut self, v: u32) -> usize {
+        let mut entry = self.vertices.partition_point(|&w| w < v);
+        while self.parents[entry] != entry {
+            let grandparent = self.parents[self.parents[entry]];
+            self.parents[entry] = grandparent;
+            entry = grandparent;
         }
-        v
+        entry
     }
 
     fn join(&mut self, [a, b]: [u32; 2]) {
         let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b) as usize] = a.min(b);
+        self.parents[a.max(b)] = a.min(b);
     }
 
     fn count(&mut self, [a, _]: [u32; 2], clear: bool) {
-        let root = self.root(a) as usize;
+        let root = self.root(a);
         self.edges[root] += 1;
         self.unclear[root] |= !clear;
     }
 
     fn is_credible(&mut self, [a, _]: [u32; 2]) -> bool {
-        let root = self.root(a) as usize;
+        let root = self.root(a);
         self.edges[root] >= SHORT || !self.unclear[root]
     }
 }

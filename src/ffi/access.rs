@@ -11,7 +11,8 @@ use super::status::Failure;
 use super::struct_size::Versioned;
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::Coordinate;
+use crate::mesh::{Coordinate, Vertices};
+use crate::threads::Threads;
 
 /// The caller's mesh, checked by address but not yet read.
 pub(super) struct MeshMemory<T> {
@@ -43,6 +44,14 @@ impl<T: Coordinate> MeshMemory<T> {
         unsafe { array(self.first_index.cast(), self.indices.elements::<[u32; 3]>()) }
     }
 
+    /// The vertices, to be read and written through `start`, which `check` has looked at.
+    ///
+    /// # Safety
+    /// The caller's positions are there, may be written, and nobody else writes them as long as the result is used.
+    pub unsafe fn vertices(&self, start: *mut T) -> CallersVertices<T> {
+        CallersVertices { start, stride: self.stride, count: self.vertex_count }
+    }
+
     /// A copy without gaps. Each vertex is read by itself: a slice over the caller's buffer would claim the bytes
     /// between the vertices, which may belong to another thread.
     ///
@@ -58,21 +67,54 @@ impl<T: Coordinate> MeshMemory<T> {
     }
 }
 
+/// The caller's positions. Each vertex is read and written by itself: a slice over the buffer would claim the bytes between
+/// the vertices, which may belong to another thread.
+pub(super) struct CallersVertices<T> {
+    start: *mut T,
+    stride: usize,
+    count: usize,
+}
+
+// SAFETY: while it is shared it is only read, and who makes one promises that nobody else writes.
+unsafe impl<T: Sync> Sync for CallersVertices<T> {}
+
+impl<T: Coordinate> CallersVertices<T> {
+    /// Where vertex `v` is.
+    fn place(&self, v: usize) -> *mut [T; 3] {
+        assert!(v < self.count, "vertex {v} of {}", self.count);
+        // SAFETY: the vertex is within the caller's buffer, by the promise of who made this.
+        unsafe { self.start.byte_add(v * self.stride).cast() }
+    }
+}
+
+impl<T: Coordinate> Vertices<T> for CallersVertices<T> {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn get(&self, v: usize) -> [T; 3] {
+        // SAFETY: the place is readable and aligned, by the promise of who made this.
+        unsafe { self.place(v).read() }
+    }
+
+    /// Writes where a bit has changed, and no byte of any other vertex.
+    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, _: &Threads<'_>) {
+        let bits = |p: [T; 3]| p.map(|x| x.to_f64().to_bits());
+        for v in 0..self.count {
+            if let Some(new) = changed(v).filter(|&new| bits(new) != bits(self.get(v))) {
+                // SAFETY: the place is writable and aligned, by the promise of who made this.
+                unsafe { self.place(v).write(new) };
+            }
+        }
+    }
+}
+
 /// Writes the vertices of which a bit has changed, and no byte of any other.
 ///
 /// # Safety
 /// `start` points to at least as many vertices, `stride` bytes apart, aligned, that may be written.
 pub(super) unsafe fn write_positions<T: Coordinate>(start: *mut T, stride: usize, new: &[[T; 3]]) {
-    let bits = |p: [T; 3]| p.map(|x| x.to_f64().to_bits());
-    for (v, &new) in new.iter().enumerate() {
-        // SAFETY: the promise above.
-        unsafe {
-            let place = start.byte_add(v * stride).cast::<[T; 3]>();
-            if bits(place.read()) != bits(new) {
-                place.write(new);
-            }
-        }
-    }
+    CallersVertices { start, stride, count: new.len() }.set(|v| Some(new[v]), &Threads::ONE);
 }
 
 /// A caller's array without gaps.

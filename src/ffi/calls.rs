@@ -21,6 +21,7 @@ use crate::memory;
 use crate::mesh::Coordinate;
 use crate::options::Constraints;
 use crate::progress::Flow;
+use crate::smooth::smooth_vertices;
 use crate::tail::Sources;
 
 /// Where a histogram starts, and where it goes.
@@ -121,15 +122,12 @@ unsafe fn smooth_checked<T: Coordinate>(
     let settings = given.settings(!report.is_empty())?;
     // SAFETY: `blocks` and `check` have found all arrays to be addressable and aligned; the caller vouches for what is
     // there.
-    let (wishes, triangles, mut smoothed) =
-        unsafe { (Wishes::read(&given, blocks)?, mesh.triangles(), mesh.read_positions()?) };
+    let (wishes, triangles, mut vertices) =
+        unsafe { (Wishes::read(&given, blocks)?, mesh.triangles(), mesh.vertices(positions)) };
     // SAFETY: the caller vouches for the callback.
     let mut progress = |done| unsafe { ask(&given, done) };
-    let done = crate::smooth(&mut smoothed, triangles, &settings, &wishes.constraints(), &mut progress)?;
-    let report = qsm_report::from(&done);
-    // SAFETY: as for reading; no reference into the caller's positions exists, and nothing else overlaps them.
-    unsafe { write_positions(positions, mesh.stride, &smoothed) };
-    Ok(report)
+    let done = smooth_vertices(&mut vertices, triangles, &settings, &wishes.constraints(), &mut progress)?;
+    Ok(qsm_report::from(&done))
 }
 
 /// Body of `qsm_collapse_tails_*` and `qsm_improve_*`; always fills the report unless that is itself at fault.

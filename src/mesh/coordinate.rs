@@ -1,7 +1,7 @@
 //! The two precisions of the caller's buffers.
 
 /// A coordinate type: `f32` or `f64`. All arithmetic is in `f64`; this says what a position can be stored as.
-pub trait Coordinate: Copy + sealed::Sealed {
+pub trait Coordinate: Copy + Send + Sync + sealed::Sealed {
     /// Exact widening.
     fn to_f64(self) -> f64;
     /// Nearest storable value.

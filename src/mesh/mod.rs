@@ -3,7 +3,9 @@
 mod coordinate;
 mod stars;
 mod validated;
+mod vertices;
 
 pub use coordinate::Coordinate;
 pub(crate) use stars::{StarKind, Stars};
 pub(crate) use validated::{Mesh, repeats_a_vertex};
+pub(crate) use vertices::Vertices;

@@ -49,8 +49,8 @@ struct Hub {
 impl Stars {
     /// Builds the stars in linear time (and n log n in the valence of a vertex).
     pub fn new(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
-        let offsets = slot_offsets(mesh)?;
-        let mut slots = incident_triangles(mesh, &offsets)?;
+        let mut offsets = slot_ends(mesh, threads)?;
+        let mut slots = incident_triangles(mesh, &mut offsets, threads)?;
         let mut kinds = memory::filled(StarKind::Empty, mesh.positions.len())?;
         let mut parts = Vec::new();
         let mut rest = &mut slots[..];
@@ -203,32 +203,58 @@ impl Part<'_> {
     }
 }
 
-fn slot_offsets(mesh: &Mesh<'_>) -> Result<Vec<u32>, Error> {
-    let mut offsets = memory::filled(0_u32, mesh.positions.len() + 1)?;
-    for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
-        for &v in corners {
-            offsets[v as usize + 1] += 1;
-        }
-    }
-    for v in 1..offsets.len() {
-        offsets[v] += offsets[v - 1] + 1;
-    }
-    Ok(offsets)
+/// Parts into which the vertices are divided for counting, each of which takes another look at all triangles.
+const LOOKS: usize = 8;
+
+/// Vertices of such a part.
+fn look(vertex_count: usize, threads: &Threads<'_>) -> usize {
+    (vertex_count + 1).div_ceil(threads.count().min(LOOKS))
 }
 
-/// Triangle numbers around each vertex, in rising order, the last slot of each vertex left 0.
-fn incident_triangles(mesh: &Mesh<'_>, offsets: &[u32]) -> Result<Vec<u32>, Error> {
-    let mut slots = memory::filled(0_u32, offsets[offsets.len() - 1] as usize)?;
-    let mut next = memory::copied(offsets)?;
-    for (t, corners) in mesh.triangles.iter().enumerate() {
-        if repeats_a_vertex(corners) {
-            continue;
+/// The last slot of each vertex, and at the end the number of slots.
+fn slot_ends(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
+    let mut ends = memory::filled(0_u32, mesh.positions.len() + 1)?;
+    let look = look(mesh.positions.len(), threads);
+    threads.each(ends.chunks_mut(look).enumerate().collect(), |(part, ends)| {
+        for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
+            for &v in corners {
+                if let Some(end) = ends.get_mut((v as usize).wrapping_sub(part * look)) {
+                    *end += 1;
+                }
+            }
         }
-        for &v in corners {
-            slots[next[v as usize] as usize] = t as u32;
-            next[v as usize] += 1;
-        }
+    });
+    let mut next = 0;
+    for end in &mut ends {
+        *end += next;
+        next = *end + 1;
     }
+    Ok(ends)
+}
+
+/// Triangle numbers around each vertex, in rising order, the last slot of each vertex left 0. Filling from behind moves the
+/// ends of each vertex's slots to where they start.
+fn incident_triangles(mesh: &Mesh<'_>, ends: &mut [u32], threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
+    let mut slots = threads.collect(ends[ends.len() - 1] as usize, |_| 0)?;
+    let (look, mut rest, mut start) = (look(mesh.positions.len(), threads), &mut slots[..], 0);
+    let mut parts = Vec::new();
+    for (part, ends) in ends.chunks_mut(look).enumerate() {
+        // Where the next part begins; behind the last vertex the number of slots stands as an end.
+        let end = (ends[ends.len() - 1] as usize + 1).min(start + rest.len());
+        let (own, others) = rest.split_at_mut(end - start);
+        parts.push((part * look, start, ends, own));
+        (rest, start) = (others, end);
+    }
+    threads.each(parts, |(first, start, ends, slots)| {
+        for (t, corners) in mesh.triangles.iter().enumerate().rev().filter(|(_, t)| !repeats_a_vertex(t)) {
+            for &v in corners {
+                if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
+                    *next -= 1;
+                    slots[*next as usize - start] = t as u32;
+                }
+            }
+        }
+    });
     Ok(slots)
 }
 
@@ -297,7 +323,11 @@ mod tests {
 
     /// The stars of triangles over `count` vertices in places that don't matter.
     fn stars(count: usize, triangles: &[[u32; 3]]) -> Stars {
-        Stars::new(&Mesh::new(&vec![[0.0_f64; 3]; count], triangles).expect("a mesh"), &Threads::ONE).expect("stars")
+        Stars::new(
+            &Mesh::new(vec![[0.0_f64; 3]; count].as_slice(), triangles, &Threads::ONE).expect("a mesh"),
+            &Threads::ONE,
+        )
+        .expect("stars")
     }
 
     fn fan(valence: u32, closed: bool) -> Vec<[u32; 3]> {

@@ -1,10 +1,12 @@
 //! The validated mesh: every index in range, every coordinate finite, everything in `f64`.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
-use super::Coordinate;
+use super::{Coordinate, Vertices};
 use crate::error::Error;
-use crate::memory;
+use crate::threads::Threads;
 
 /// A mesh that the upper layers can trust. Triangles that name a vertex twice are still in it: no star takes them up.
 pub(crate) struct Mesh<'a> {
@@ -20,13 +22,20 @@ pub(crate) struct Mesh<'a> {
 
 impl<'a> Mesh<'a> {
     /// Checks the buffers and copies the positions.
-    pub fn new<T: Coordinate>(positions: &[[T; 3]], triangles: &'a [[u32; 3]]) -> Result<Self, Error> {
-        check_counts(positions.len(), triangles.len())?;
-        check_indices(triangles, positions.len())?;
-        let unit = unit_of(largest_coordinate(positions)?);
-        let mut scaled = memory::reserved(positions.len())?;
+    pub fn new<T: Coordinate>(
+        positions: &(impl Vertices<T> + ?Sized),
+        triangles: &'a [[u32; 3]],
+        threads: &Threads<'_>,
+    ) -> Result<Self, Error> {
+        let vertex_count = positions.count();
+        check_counts(vertex_count, triangles.len())?;
+        let parts = threads.parts(triangles.len(), |part| check_indices(triangles, part, vertex_count));
+        parts.into_iter().collect::<Result<(), Error>>()?;
+        let parts = threads.parts(vertex_count, |part| largest_coordinate(positions, part));
+        let unit = unit_of(parts.into_iter().try_fold(0.0, |largest, part| Ok(f64::max(largest, part?)))?);
         // Scaling down takes two steps where the reciprocal itself would be subnormal.
-        scaled.extend(positions.iter().map(|p| DVec3::from_array(p.map(|x| x.to_f64() / unit))));
+        let at = |v: usize| DVec3::from_array(positions.get(v).map(|x| x.to_f64() / unit));
+        let scaled = threads.collect(vertex_count, at)?;
         Ok(Self { positions: scaled, triangles, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
     }
 
@@ -77,9 +86,9 @@ fn check_counts(vertices: usize, triangles: usize) -> Result<(), Error> {
     Ok(())
 }
 
-fn check_indices(triangles: &[[u32; 3]], vertex_count: usize) -> Result<(), Error> {
-    for (triangle, corners) in triangles.iter().enumerate() {
-        for &index in corners {
+fn check_indices(triangles: &[[u32; 3]], part: Range<usize>, vertex_count: usize) -> Result<(), Error> {
+    for triangle in part {
+        for index in triangles[triangle] {
             if index as usize >= vertex_count {
                 return Err(Error::IndexOutOfRange { triangle, index, vertex_count });
             }
@@ -88,9 +97,13 @@ fn check_indices(triangles: &[[u32; 3]], vertex_count: usize) -> Result<(), Erro
     Ok(())
 }
 
-fn largest_coordinate<T: Coordinate>(positions: &[[T; 3]]) -> Result<f64, Error> {
+fn largest_coordinate<T: Coordinate>(
+    positions: &(impl Vertices<T> + ?Sized),
+    part: Range<usize>,
+) -> Result<f64, Error> {
     let mut largest = 0.0_f64;
-    for (vertex, position) in positions.iter().enumerate() {
+    for vertex in part {
+        let position = positions.get(vertex);
         let size = position.iter().fold(0.0_f64, |m, x| m + x.to_f64().abs());
         if !position.iter().all(|x| x.to_f64().is_finite()) {
             return Err(Error::NonFinite { vertex });

@@ -51,7 +51,7 @@ pub struct Measurement {
 /// # Errors
 /// [`Error::IndexOutOfRange`], [`Error::NonFinite`] or [`Error::TooLarge`], as for [`smooth`](crate::smooth).
 pub fn measure<T: Coordinate>(positions: &[[T; 3]], triangles: &[[u32; 3]]) -> Result<Measurement, Error> {
-    let mesh = Mesh::new(positions, triangles)?;
+    let mesh = Mesh::new(positions, triangles, &Threads::ONE)?;
     Measurement::of(&mesh.positions, triangles, mesh.unit, &Threads::ONE)
 }
 
@@ -64,7 +64,7 @@ pub fn triangle_quality<T: Coordinate>(
     triangles: &[[u32; 3]],
     parameter: Parameter,
 ) -> Result<Vec<f64>, Error> {
-    let mesh = Mesh::new(positions, triangles)?;
+    let mesh = Mesh::new(positions, triangles, &Threads::ONE)?;
     let mut values = memory::reserved(triangles.len())?;
     values.extend(triangles.iter().map(|t| parameter.of(&Sides::new(mesh.corners(t)))));
     Ok(values)
@@ -93,7 +93,7 @@ pub fn histogram<T: Coordinate>(
     if bins == 0 {
         return bad("bins", 0.0);
     }
-    let mesh = Mesh::new(positions, triangles)?;
+    let mesh = Mesh::new(positions, triangles, &Threads::ONE)?;
     let mut counts = memory::filled(0, bins)?;
     for t in triangles {
         let value = parameter.of(&Sides::new(mesh.corners(t)));

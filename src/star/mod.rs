@@ -63,7 +63,7 @@ mod tests {
                 triangles.push([centre, centre + 1 + i, centre + 1 + (i + 1) % valence]);
             }
         }
-        let mesh = Mesh::new(&positions, &triangles).unwrap();
+        let mesh = Mesh::new(positions.as_slice(), &triangles, &crate::threads::Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
         let mut vertices = [0; 8];
         for (star, v) in vertices.iter_mut().enumerate().skip(1) {

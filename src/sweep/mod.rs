@@ -35,7 +35,7 @@ pub(crate) fn run(
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<(Vec<DVec3>, Tally), Error> {
-    let places = Places::new(&around.mesh.positions)?;
+    let places = Places::new(&around.mesh.positions, threads)?;
     let iterations = options.iterations;
     let tally = match options.order {
         Order::Colors => color_order::run(around, &places, outcomes, iterations, threads, progress)?,

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use glam::DVec3;
 
 use crate::error::Error;
-use crate::memory;
+use crate::threads::Threads;
 
 /// Where the vertices are. Plain loads and stores on every machine of today, and no data race whatever the order of the
 /// visits; that no visit sees a half-written position is up to that order.
@@ -13,10 +13,9 @@ pub(crate) struct Places(Vec<[AtomicU64; 3]>);
 
 impl Places {
     /// A copy of `positions`.
-    pub fn new(positions: &[DVec3]) -> Result<Self, Error> {
-        let mut places = memory::reserved(positions.len())?;
-        places.extend(positions.iter().map(|p| p.to_array().map(|x| AtomicU64::new(x.to_bits()))));
-        Ok(Self(places))
+    pub fn new(positions: &[DVec3], threads: &Threads<'_>) -> Result<Self, Error> {
+        let at = |v: usize| positions[v].to_array().map(|x| AtomicU64::new(x.to_bits()));
+        Ok(Self(threads.collect(positions.len(), at)?))
     }
 
     /// Position of vertex `v`.

@@ -205,7 +205,8 @@ mod tests {
         let (positions, triangles) = star();
         let options = Options { quality_floor: floor, ..Options::default() };
         let prepared =
-            Preparation::new(&positions, &triangles, &options, &Constraints::default(), &Threads::ONE).expect("valid");
+            Preparation::new(positions.as_slice(), &triangles, &options, &Constraints::default(), &Threads::ONE)
+                .expect("valid");
         let around = prepared.surroundings(&options);
         let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
@@ -246,9 +247,14 @@ mod tests {
         let (mut positions, triangles) = star();
         positions[0][2] = 0.1;
         positions[1][2] = 0.1;
-        let prepared =
-            Preparation::new(&positions, &triangles, &Options::default(), &Constraints::default(), &Threads::ONE)
-                .expect("valid");
+        let prepared = Preparation::new(
+            positions.as_slice(),
+            &triangles,
+            &Options::default(),
+            &Constraints::default(),
+            &Threads::ONE,
+        )
+        .expect("valid");
         let around = prepared.surroundings(&Options::default());
         let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);

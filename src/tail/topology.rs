@@ -57,7 +57,8 @@ mod tests {
     fn breaks(triangles: &[[u32; 3]], pieces: Vec<usize>, filling: &[[usize; 3]]) -> bool {
         let options = Options::default();
         let prepared =
-            Preparation::new(&CORNERS, triangles, &options, &Constraints::default(), &Threads::ONE).expect("valid");
+            Preparation::new(CORNERS.as_slice(), triangles, &options, &Constraints::default(), &Threads::ONE)
+                .expect("valid");
         let mesh: &Mesh<'_> = &prepared.mesh;
         let live = Live::new(mesh, mesh.positions.clone()).expect("enough memory");
         let patch = Patch::of_stars(&live, &prepared.surroundings(&options), &[0, 1, 2, 3]);
