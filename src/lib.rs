@@ -15,6 +15,7 @@ mod options;
 mod preparation;
 pub mod progress;
 pub mod quality;
+mod renumbering;
 mod report;
 mod smooth;
 mod star;

@@ -59,7 +59,7 @@ impl<'a> Preparation<'a> {
     }
 }
 
-fn check_constraints(constraints: &Constraints<'_>, vertex_count: usize) -> Result<(), Error> {
+pub(crate) fn check_constraints(constraints: &Constraints<'_>, vertex_count: usize) -> Result<(), Error> {
     let found = constraints.locked.len();
     if found != 0 && found != vertex_count {
         return Err(Error::LockLength { found, vertex_count });

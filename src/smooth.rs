@@ -9,10 +9,11 @@ use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
 use crate::mesh::{Coordinate, Vertices, repeats_a_vertex};
-use crate::options::{Constraints, Options};
-use crate::preparation::Preparation;
+use crate::options::{Constraints, Options, Order};
+use crate::preparation::{Preparation, check_constraints};
 use crate::progress::{self, Progress};
 use crate::quality::Measurement;
+use crate::renumbering::Renumbering;
 use crate::report::{Kept, Report, Seconds};
 use crate::sweep::{self, Outcome, Outcomes, Surroundings, Tally};
 use crate::threads::Threads;
@@ -47,8 +48,24 @@ pub(crate) fn smooth_vertices<T: Coordinate>(
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
     options.validate()?;
+    check_constraints(constraints, positions.count())?;
     Threads::with(options.threads, positions.count(), |threads| {
-        smooth_on(threads, positions, triangles, options, constraints, progress)
+        let clock = Instant::now();
+        // Every other order is one of the caller's numbers.
+        let numbers = match options.order {
+            Order::Colors => Renumbering::if_worthwhile(positions, triangles, threads)?,
+            _ => None,
+        };
+        let Some(numbers) = numbers else {
+            return smooth_on(threads, positions, triangles, options, constraints, progress);
+        };
+        let constraints = numbers.constraints(constraints)?;
+        let renumbering = clock.elapsed().as_secs_f64();
+        let (vertices, constraints) = (&mut numbers.vertices(positions), constraints.as_constraints());
+        let mut report = smooth_on(threads, vertices, &numbers.triangles, options, &constraints, progress)?;
+        report.seconds.adjacency += renumbering;
+        report.seconds.total += renumbering;
+        Ok(report)
     })
 }
 

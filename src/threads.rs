@@ -79,6 +79,14 @@ impl Threads<'_> {
         Ok(all)
     }
 
+    /// Sorts.
+    pub fn sort(&self, all: &mut [u64]) {
+        match self.0 {
+            None => all.sort_unstable(),
+            Some(pool) => pool.install(|| all.par_sort_unstable()),
+        }
+    }
+
     /// What `work` makes of the parts of `0..count`, in their order.
     pub fn parts<T: Send>(&self, count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
         self.map(0..count.div_ceil(PART), |part| work(part * PART..((part + 1) * PART).min(count)))

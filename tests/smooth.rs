@@ -426,3 +426,29 @@ fn a_fan_of_half_a_million_triangles_ends() {
     assert!(report.moved + report.kept.guard >= 400_000, "the rim was visited: {:?}", report.kept);
     assert!(report.max_deviation.is_finite());
 }
+
+/// Large enough to be worth other numbers, and numbered at random: inside it gets numbers along a curve, outside nobody
+/// sees that.
+#[test]
+fn a_large_mesh_numbered_at_random_is_smoothed_like_any_other() {
+    let (positions, triangles) = torus(620, 430, 0.3, 1);
+    let count = positions.len() as u32;
+    let number = |v: u32| (u64::from(v) * 7919 % u64::from(count)) as u32;
+    let mut given = (vec![[0.0; 3]; positions.len()], triangles.iter().map(|t| t.map(number)).collect::<Vec<_>>());
+    (0..count).for_each(|v| given.0[number(v) as usize] = positions[v as usize]);
+    let locked: Vec<bool> = (0..count).map(|v| v % 3 == 1).collect();
+    let smoothed = |mesh: &Mesh, locked: &[bool], threads| {
+        let (mut after, options) = (mesh.0.clone(), Options { threads, ..Options::default() });
+        let constraints = Constraints { locked, ..Constraints::default() };
+        let report = smooth(&mut after, &mesh.1, &options, &constraints, &mut silent).expect("a result");
+        (after, report)
+    };
+    let (after, report) = smoothed(&given, &locked, 1);
+    assert!((0..given.0.len()).all(|v| !locked[v] || after[v] == given.0[v]), "locked vertices stay");
+    assert_eq!(report.kept.locked, locked.iter().filter(|&&locked| locked).count());
+    assert!(report.volume_relative_change.abs() < 1e-12);
+    assert!(smoothed(&given, &locked, 3).0 == after, "the same bits on any number of threads");
+    let [scattered, rows] =
+        [&given, &(positions, triangles)].map(|mesh| smoothed(mesh, &[], 0).1.after.edge_ratio.mean);
+    assert!((scattered / rows - 1.0).abs() < 0.01, "another order, and as good: {scattered} {rows}");
+}

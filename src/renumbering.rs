@@ -1,0 +1,274 @@
+//! New numbers for a large mesh whose vertices are numbered without regard to where they lie: along a curve through space
+//! (Morton's), so that what a star reads lies together in memory. The caller's numbers come back with the result.
+
+use std::ops::Range;
+
+use crate::error::Error;
+use crate::memory;
+use crate::mesh::{Coordinate, Vertices};
+use crate::options::Constraints;
+use crate::threads::Threads;
+
+/// Vertices from which on it pays: the positions of fewer stay in a processor's caches.
+const LARGE: usize = 1 << 18;
+
+/// Triangles that are asked how far apart their numbers lie.
+const SAMPLES: usize = 4096;
+
+/// Numbers this share of all vertices apart are scattered: in a mesh that was numbered row by row, or by a front, it is less.
+const SCATTERED: usize = 16;
+
+/// Bits of a cell's number along each axis.
+const BITS: u32 = 10;
+
+/// New numbers, and the triangles that go with them.
+pub(crate) struct Renumbering {
+    /// Caller's number of each vertex.
+    order: Vec<u32>,
+    /// New number of each of the caller's vertices.
+    ranks: Vec<u32>,
+    /// In the order of their least vertices.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// What goes into a mesh that is numbered anew.
+pub(crate) struct Renumbered<'a, V: ?Sized> {
+    vertices: &'a mut V,
+    numbers: &'a Renumbering,
+}
+
+/// The caller's constraints in new numbers.
+pub(crate) struct RenumberedConstraints {
+    locked: Vec<bool>,
+    feature_edges: Vec<[u32; 2]>,
+}
+
+impl Renumbering {
+    /// New numbers if they are worth it. What is wrong with a mesh is left for others to say.
+    pub fn if_worthwhile<T: Coordinate>(
+        positions: &(impl Vertices<T> + ?Sized),
+        triangles: &[[u32; 3]],
+        threads: &Threads<'_>,
+    ) -> Result<Option<Self>, Error> {
+        let count = positions.count();
+        let is_large = count >= LARGE && u32::try_from(count.max(triangles.len())).is_ok();
+        if !is_large || !is_scattered(count, triangles) || !are_in_range(count, triangles, threads) {
+            return Ok(None);
+        }
+        Self::new(positions, triangles, threads)
+    }
+
+    /// New numbers; `None` where a coordinate is not finite. Every index is in range.
+    fn new<T: Coordinate>(
+        positions: &(impl Vertices<T> + ?Sized),
+        triangles: &[[u32; 3]],
+        threads: &Threads<'_>,
+    ) -> Result<Option<Self>, Error> {
+        let Some(bounds) = Bounds::of(positions, threads) else { return Ok(None) };
+        let mut sorted = threads.collect(positions.count(), |v| {
+            u64::from(bounds.cell(positions.get(v).map(T::to_f64))) << u32::BITS | v as u64
+        })?;
+        threads.sort(&mut sorted);
+        let order = threads.collect(sorted.len(), |new| sorted[new] as u32)?;
+        drop(sorted);
+        let mut ranks = memory::filled(0, order.len())?;
+        for (new, &old) in (0..).zip(&order) {
+            ranks[old as usize] = new;
+        }
+        let triangles = sorted_triangles(&ranks, triangles)?;
+        Ok(Some(Self { order, ranks, triangles }))
+    }
+
+    /// The caller's vertices under their new numbers.
+    pub fn vertices<'a, V: ?Sized>(&'a self, vertices: &'a mut V) -> Renumbered<'a, V> {
+        Renumbered { vertices, numbers: self }
+    }
+
+    /// The constraints that the sweeps by colour look at.
+    pub fn constraints(&self, given: &Constraints<'_>) -> Result<RenumberedConstraints, Error> {
+        let mut locked = memory::reserved(given.locked.len())?;
+        if !given.locked.is_empty() {
+            locked.extend(self.order.iter().map(|&old| given.locked[old as usize]));
+        }
+        let mut feature_edges = memory::reserved(given.feature_edges.len())?;
+        feature_edges.extend(given.feature_edges.iter().map(|ends| ends.map(|v| self.ranks[v as usize])));
+        Ok(RenumberedConstraints { locked, feature_edges })
+    }
+}
+
+impl RenumberedConstraints {
+    pub fn as_constraints(&self) -> Constraints<'_> {
+        Constraints { locked: &self.locked, feature_edges: &self.feature_edges, ..Constraints::default() }
+    }
+}
+
+impl<T: Coordinate, V: Vertices<T> + ?Sized> Vertices<T> for Renumbered<'_, V> {
+    fn count(&self) -> usize {
+        self.vertices.count()
+    }
+
+    fn get(&self, v: usize) -> [T; 3] {
+        self.vertices.get(self.numbers.order[v] as usize)
+    }
+
+    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
+        let ranks = &self.numbers.ranks;
+        self.vertices.set(|v| changed(ranks[v] as usize), threads);
+    }
+}
+
+/// Whether most triangles name vertices with numbers far apart.
+fn is_scattered(count: usize, triangles: &[[u32; 3]]) -> bool {
+    let sample = || triangles.iter().step_by((triangles.len() / SAMPLES).max(1));
+    let is_far = |&&[a, b, c]: &&[u32; 3]| a.abs_diff(b).max(b.abs_diff(c)) as usize > count / SCATTERED;
+    2 * sample().filter(is_far).count() > sample().count()
+}
+
+fn are_in_range(count: usize, triangles: &[[u32; 3]], threads: &Threads<'_>) -> bool {
+    let part = |part: Range<usize>| triangles[part].as_flattened().iter().all(|&v| (v as usize) < count);
+    threads.parts(triangles.len(), part).into_iter().all(|good| good)
+}
+
+/// The triangles under new numbers, in the order of their least vertices, by counting.
+fn sorted_triangles(ranks: &[u32], triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
+    let renumbered = |triangle: &[u32; 3]| triangle.map(|v| ranks[v as usize]);
+    let least = |[a, b, c]: [u32; 3]| a.min(b).min(c) as usize;
+    let mut next = memory::filled(0_u32, ranks.len() + 1)?;
+    triangles.iter().for_each(|triangle| next[least(renumbered(triangle)) + 1] += 1);
+    for v in 1..next.len() {
+        next[v] += next[v - 1];
+    }
+    let mut sorted = memory::filled([0; 3], triangles.len())?;
+    for triangle in triangles.iter().map(renumbered) {
+        let place = &mut next[least(triangle)];
+        sorted[*place as usize] = triangle;
+        *place += 1;
+    }
+    Ok(sorted)
+}
+
+/// A box around all vertices.
+struct Bounds {
+    least: [f64; 3],
+    /// Cells of the curve per unit of length.
+    scale: f64,
+}
+
+impl Bounds {
+    /// `None` where a coordinate is not finite, or the box has no finite size.
+    fn of<T: Coordinate>(positions: &(impl Vertices<T> + ?Sized), threads: &Threads<'_>) -> Option<Self> {
+        let of_part = |part: Range<usize>| {
+            let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+            let mut sum = 0.0;
+            for p in part.map(|v| positions.get(v).map(T::to_f64)) {
+                for k in 0..3 {
+                    (least[k], most[k]) = (least[k].min(p[k]), most[k].max(p[k]));
+                    sum += p[k] * 0.0;
+                }
+            }
+            (least, most, sum == 0.0)
+        };
+        let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for (low, high, finite) in threads.parts(positions.count(), of_part) {
+            if !finite {
+                return None;
+            }
+            for k in 0..3 {
+                (least[k], most[k]) = (least[k].min(low[k]), most[k].max(high[k]));
+            }
+        }
+        let size = (0..3).map(|k| most[k] - least[k]).fold(f64::MIN_POSITIVE, f64::max);
+        let scale = f64::from((1_u32 << BITS) - 1) / size;
+        (size.is_finite() && scale.is_finite()).then_some(Self { least, scale })
+    }
+
+    /// Number on the curve of the cell in which a position lies.
+    fn cell(&self, position: [f64; 3]) -> u32 {
+        (0..3).fold(0, |cell, k| cell | spread(((position[k] - self.least[k]) * self.scale) as u32) << k)
+    }
+}
+
+/// The lowest ten bits, three places apart.
+fn spread(x: u32) -> u32 {
+    let x = x & 0x3ff;
+    let x = (x | x << 16) & 0x0300_00ff;
+    let x = (x | x << 8) & 0x0300_f00f;
+    let x = (x | x << 4) & 0x030c_30c3;
+    (x | x << 2) & 0x0924_9249
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_go_three_places_apart() {
+        for x in [0, 1, 2, 0x155, 0x3ff] {
+            let expected = (0..BITS).fold(0, |sum, bit| sum | (x >> bit & 1) << (3 * bit));
+            assert_eq!(spread(x), expected);
+        }
+    }
+
+    /// A strip of squares whose vertices are numbered at random, in some sense.
+    fn strip(cells: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+        let count = 2 * (cells + 1);
+        let number = |i: u32| i * 7919 % count;
+        let mut positions = vec![[0.0; 3]; count as usize];
+        for i in 0..count {
+            positions[number(i) as usize] = [(i / 2) as f32, (i % 2) as f32, 0.0];
+        }
+        let quad = |c: u32| [0, 1, 2, 3].map(|k| number(2 * c + k));
+        let triangles = (0..cells).flat_map(|c| {
+            let [a, b, d, e] = quad(c);
+            [[a, d, b], [b, d, e]]
+        });
+        (positions, triangles.collect())
+    }
+
+    #[test]
+    fn neighbours_get_numbers_near_each_other() {
+        let (positions, triangles) = strip(499);
+        assert!(is_scattered(positions.len(), &triangles));
+        let new = Renumbering::new(positions.as_slice(), &triangles, &Threads::ONE).expect("memory").expect("finite");
+        assert!(!is_scattered(positions.len(), &new.triangles));
+        assert!(new.triangles.windows(2).all(|t| t[0].iter().min() <= t[1].iter().min()));
+        let mut back: Vec<_> = new.triangles.iter().map(|t| t.map(|v| new.order[v as usize])).collect();
+        let mut given = triangles.clone();
+        back.sort_unstable();
+        given.sort_unstable();
+        assert_eq!(back, given, "the same triangles with the same first corners");
+    }
+
+    #[test]
+    fn what_is_written_reaches_the_caller_under_its_own_number() {
+        let (mut positions, triangles) = strip(99);
+        let before = positions.clone();
+        let new = Renumbering::new(positions.as_slice(), &triangles, &Threads::ONE).expect("memory").expect("finite");
+        let mut vertices = new.vertices(positions.as_mut_slice());
+        let moved: Vec<[f32; 3]> =
+            (0..before.len()).map(|v| Vertices::<f32>::get(&vertices, v).map(|x| x + 1.0)).collect();
+        vertices.set(|v| Some(moved[v]), &Threads::ONE);
+        assert!(positions.iter().zip(&before).all(|(p, q)| *p == q.map(|x| x + 1.0)));
+        let locked: Vec<bool> = (0..before.len()).map(|v| v == 17).collect();
+        let given = Constraints { locked: &locked, feature_edges: &[[17, 3]], ..Constraints::default() };
+        let constraints = new.constraints(&given).expect("memory");
+        let [a, b] = constraints.feature_edges[0];
+        assert_eq!([new.order[a as usize], new.order[b as usize]], [17, 3]);
+        assert!((0..before.len()).all(|v| constraints.locked[v] == (v == a as usize)));
+    }
+
+    #[test]
+    fn small_sane_and_wrong_meshes_keep_their_numbers() {
+        let (positions, triangles) = strip(499);
+        let worth = |p: &[[f32; 3]], t: &[[u32; 3]]| Renumbering::if_worthwhile(p, t, &Threads::ONE).expect("memory");
+        assert!(worth(&positions, &triangles).is_none(), "small");
+        let mut infinite = positions.clone();
+        infinite[5][1] = f32::NAN;
+        assert!(Renumbering::new(infinite.as_slice(), &triangles, &Threads::ONE).expect("memory").is_none());
+        let many: Vec<_> = (0..LARGE).map(|v| [v as f32, 0.0, 0.0]).collect();
+        let far = [[0, LARGE as u32 / 2, LARGE as u32 - 1]];
+        assert!(worth(&many, &far).is_some());
+        assert!(worth(&many, &[[0, LARGE as u32 / 2, LARGE as u32]]).is_none(), "out of range");
+        assert!(worth(&many, &[[0, 1, 2]]).is_none(), "sane");
+    }
+}
