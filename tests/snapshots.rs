@@ -95,7 +95,10 @@ fn spoilt() -> Mesh {
 }
 
 fn all_meshes() -> Vec<(&'static str, Mesh)> {
-    vec![("cube", cube(7, 0.42, 1)), ("ball", ball(9, 0.45, 2)), ("plane", scattered(160, 3)), ("spoilt", spoilt())]
+    // The largest has three blocks of vertices, and colours between them.
+    let balls = [("ball", ball(9, 0.45, 2)), ("large ball", ball(14, 0.4, 7))];
+    let others = [("cube", cube(7, 0.42, 1)), ("plane", scattered(160, 3)), ("spoilt", spoilt())];
+    balls.into_iter().chain(others).collect()
 }
 
 /// Each option away from its default.

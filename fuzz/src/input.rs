@@ -149,13 +149,16 @@ pub fn options(bytes: &mut Bytes<'_>) -> Options {
 
 /// The same for the tail.
 pub fn tail_options(bytes: &mut Bytes<'_>) -> TailOptions<'static> {
+    let attempts = bytes.choice(&[3, 1, 6, 0, 1001]);
+    // A thousand attempts at each of a hundred triangles would take minutes.
+    let is_bounded = bytes.flag() || attempts > 6;
     TailOptions {
         edge_ratio: bytes.number(&[3.0, 1.0 + 1e-15, 1e300, 1.5]),
         min_angle: bytes.number(&[20.0, 1e-300, 59.999, 30.0]),
         max_angle: bytes.number(&[130.0, 60.001, 179.999, 100.0]),
         flips: bytes.flag(),
-        attempts: bytes.choice(&[3, 1, 6, 0, 1001]),
-        operations: bytes.flag().then(|| bytes.below(8)),
+        attempts,
+        operations: is_bounded.then(|| bytes.below(8)),
         mask: &[],
     }
 }
