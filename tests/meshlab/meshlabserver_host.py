@@ -77,8 +77,10 @@ def run(folder, mesh, *filters, root=None):
     root = root or pathlib.Path(os.environ['QSMESH_MESHLAB_ROOT'])
     out = folder / 'out.ply'
     (folder / 'script.mlx').write_text(script(*filters))
-    call = ['xvfb-run', '-a', str(root / 'usr/bin/meshlabserver'), '-i', str(mesh), '-o', str(out),
-            '-s', str(folder / 'script.mlx')]
+    # The display's own end, which fails now and then on a busy machine, is not the host's status.
+    status = folder / 'status'
+    call = ['xvfb-run', '-a', 'sh', '-c', '"$@"; echo $? >"$0"', str(status), str(root / 'usr/bin/meshlabserver'),
+            '-i', str(mesh), '-o', str(out), '-s', str(folder / 'script.mlx')]
     done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300,
                           env={**os.environ, 'XDG_RUNTIME_DIR': str(folder), 'HOME': str(folder)})
-    return done.returncode, done.stdout, out
+    return int(status.read_text()), done.stdout, out
