@@ -4,9 +4,10 @@ use std::time::Instant;
 
 use crate::error::Error;
 use crate::features::Features;
+use crate::guard::LARGEST_TURN;
 use crate::mesh::{Coordinate, Mesh, Stars, Vertices};
 use crate::options::{Constraints, Options, Order};
-use crate::star::{Operation, Sizes};
+use crate::star::{Cones, Operation, Sizes};
 use crate::sweep::Surroundings;
 use crate::threads::Threads;
 
@@ -15,6 +16,8 @@ pub(crate) struct Preparation<'a> {
     pub mesh: Mesh<'a>,
     pub stars: Stars,
     pub features: Features,
+    /// Cones around the original normals, where they are of use.
+    cones: Option<Cones>,
     operation: Operation,
     /// Seconds that validation and stars took.
     pub adjacency: f64,
@@ -37,11 +40,12 @@ impl<'a> Preparation<'a> {
         let mesh = Mesh::new(positions, triangles, threads)?;
         let stars = Stars::new(&mesh, threads)?;
         let adjacency = clock.elapsed().as_secs_f64();
-        let features = Features::new(&mesh, &stars, options, constraints, threads)?;
+        let cones = Cones::new(&mesh, &stars, LARGEST_TURN, threads)?;
+        let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
         let sizes = options.keep_sizes.then(|| Sizes::new(&mesh, &stars, threads)).transpose()?;
         let operation = Operation::new(options, sizes);
-        Ok(Self { mesh, stars, features, operation, adjacency, finding })
+        Ok(Self { mesh, stars, features, cones, operation, adjacency, finding })
     }
 
     /// The same, in the form in which visits read it.
@@ -50,6 +54,7 @@ impl<'a> Preparation<'a> {
             mesh: &self.mesh,
             stars: &self.stars,
             features: &self.features,
+            cones: self.cones.as_ref().filter(|_| self.operation.sees_places_only()),
             operation: &self.operation,
             floor: options.quality_floor,
             keeps_shape: options.feature_angle.is_some(),

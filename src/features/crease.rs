@@ -7,10 +7,8 @@ use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::quality::triangle::Sides;
+use crate::star::{Cones, THIN};
 use crate::threads::Threads;
-
-/// Mean-ratio shape below which a triangle's own normal is not believed.
-const THIN: f64 = 0.3;
 
 /// A connected set of fewer sharp edges is noise, unless all its edges are clear.
 const SHORT: u32 = 5;
@@ -23,13 +21,12 @@ const FLAT: f64 = 0.984_807_753_012_208;
 
 /// Marks the edges whose two sides meet at more than `angle` degrees, short patches of noise left out.
 pub(super) fn mark(
-    mesh: &Mesh<'_>,
-    stars: &Stars,
+    (mesh, stars, cones): (&Mesh<'_>, &Stars, Option<&Cones>),
     angle: f64,
     threads: &Threads<'_>,
     slots: &mut SlotSet,
 ) -> Result<(), Error> {
-    let dihedral = Dihedral { mesh, stars, sharp: libm::cos(angle.to_radians()) };
+    let dihedral = Dihedral { mesh, stars, cones, sharp: libm::cos(angle.to_radians()) };
     let parts = threads.parts(stars.len(), |part| dihedral.sharp_edges(part.start as u32..part.end as u32));
     let mut edges = memory::reserved(parts.iter().map(Vec::len).sum())?;
     parts.into_iter().for_each(|part| edges.extend(part));
@@ -46,6 +43,7 @@ pub(super) fn mark(
 struct Dihedral<'a> {
     mesh: &'a Mesh<'a>,
     stars: &'a Stars,
+    cones: Option<&'a Cones>,
     /// Cosine of the angle above which an edge is sharp.
     sharp: f64,
 }
@@ -54,9 +52,9 @@ impl Dihedral<'_> {
     /// The sharp edges that are seen first from these vertices, and whether they are clear.
     fn sharp_edges(&self, vertices: std::ops::Range<u32>) -> Vec<([u32; 2], bool)> {
         let mut edges = Vec::new();
-        for v in vertices {
+        for v in vertices.filter(|&v| !self.is_flat_around(v)) {
             for (i, &r) in self.stars.ring(v).iter().enumerate() {
-                let seen_once = v < r || self.stars.ring(r).is_empty();
+                let seen_once = v < r && !self.is_flat_around(r) || self.stars.ring(r).is_empty();
                 if let Some(flanks) = self.stars.flanks(v, i).filter(|_| seen_once)
                     && self.is_sharp(v, r, flanks)
                 {
@@ -65,6 +63,11 @@ impl Dihedral<'_> {
             }
         }
         edges
+    }
+
+    /// Whether it is plain that no edge at `v` is sharp.
+    fn is_flat_around(&self, v: u32) -> bool {
+        self.cones.is_some_and(|cones| cones.is_flat(v, self.sharp))
     }
 
     /// Whether the edge v–r, with the third corners `before` and `after` of its triangles, is sharp. Beside a triangle that

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, StarKind, Stars};
 use crate::options::{Boundary, Constraints, Options};
+use crate::star::Cones;
 use crate::threads::{PART, Threads};
 
 /// What a vertex may do.
@@ -54,8 +55,7 @@ pub(crate) struct Features {
 
 impl Features {
     pub fn new(
-        mesh: &Mesh<'_>,
-        stars: &Stars,
+        (mesh, stars, cones): (&Mesh<'_>, &Stars, Option<&Cones>),
         options: &Options,
         constraints: &Constraints<'_>,
         threads: &Threads<'_>,
@@ -63,7 +63,7 @@ impl Features {
         let mut slots = SlotSet::new(stars)?;
         let mut marked = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
-            crease::mark(mesh, stars, angle, threads, &mut slots)?;
+            crease::mark((mesh, stars, cones), angle, threads, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
             slots.insert_edge(stars, a, b);

@@ -1,16 +1,16 @@
 //! The guard: which moves are allowed. No star's worst triangle gets worse below the floor, none folds over, and none
 //! leaves the original surface where that has a shape to keep.
 
+mod glance;
 mod original;
-mod witness;
 
 use crate::mesh::{Mesh, Stars};
-use crate::star::{LocalStars, Number, Vectors};
+use crate::star::{Arm, LocalStars, Number, Vectors, Witness};
+pub(crate) use glance::glance;
 use original::Original;
-use witness::{Arm, Witness};
 
 /// Largest angle in degrees by which a triangle's normal may turn against its original one.
-const LARGEST_TURN: f64 = 75.0;
+pub(crate) const LARGEST_TURN: f64 = 75.0;
 
 /// How far a vertex may go from where it was in the original mesh, in units of its star's original size.
 #[derive(Debug, Clone, Copy)]

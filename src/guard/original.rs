@@ -3,15 +3,7 @@
 use glam::DVec3;
 
 use super::Scene;
-use super::witness::{Arm, Witness};
-use crate::star::{LocalStars, Number, Vectors, set_vector, vector};
-
-/// Original shape below which a triangle's normal says nothing: comparing with it would freeze exactly those triangles
-/// that need to move.
-const MEANINGLESS: f64 = 1e-3;
-
-/// Original shape below which a triangle's plane is not worth keeping.
-const THIN: f64 = 0.3;
+use crate::star::{Arm, LocalStars, MEANINGLESS, Number, THIN, Vectors, Witness, set_vector, vector};
 
 /// The original triangles of stars, as many as the largest star so far has had.
 pub(super) struct Original<N: Number>(Vec<Triangle<N>>);

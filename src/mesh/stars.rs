@@ -269,52 +269,65 @@ fn rim_edge(&[a, b, c]: &[u32; 3], v: u32) -> (u32, u32) {
     }
 }
 
+/// Rim edges beyond which a search is faster in a sorted list.
+const MANY: usize = 24;
+
 /// Chains rim edges into a ring, written to `own`, which has one slot more than there are edges.
 fn link(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
-    const QUADRATIC: usize = 24;
-    if rim.is_empty() {
-        StarKind::Empty
-    } else if rim.len() <= QUADRATIC {
-        let first = rim.iter().position(|e| rim.iter().all(|f| f.1 != e.0));
-        chain(rim, own, first, |a| rim.iter().position(|e| e.0 == a))
-    } else {
-        rim.sort_unstable();
-        let mut ends: Vec<u32> = rim.iter().map(|e| e.1).collect();
-        ends.sort_unstable();
-        let first = rim.iter().position(|e| ends.binary_search(&e.0).is_err());
-        chain(rim, own, first, |a| rim.binary_search_by_key(&a, |e| e.0).ok())
+    match rim.len() {
+        0 => StarKind::Empty,
+        n if n <= MANY => {
+            let is_open_end = |e: &(u32, u32)| rim.iter().all(|f| f.1 != e.0);
+            chain(rim, own, || rim.iter().position(is_open_end), |a| rim.iter().position(|e| e.0 == a))
+        }
+        _ => link_many(rim, own),
     }
 }
 
-/// Follows the rim from the edge `open_end`, with which a fan begins, or else round from the first one; `starting_at`
+/// The same for a star with many triangles.
+fn link_many(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
+    rim.sort_unstable();
+    let mut ends: Vec<u32> = rim.iter().map(|e| e.1).collect();
+    ends.sort_unstable();
+    let open_end = || rim.iter().position(|e| ends.binary_search(&e.0).is_err());
+    chain(rim, own, open_end, |a| rim.binary_search_by_key(&a, |e| e.0).ok())
+}
+
+/// Follows the rim round from the first edge, or if it does not close from the edge with which a fan begins. `starting_at`
 /// finds an edge that starts at a vertex. Only a walk that takes every edge exactly once, and ends where it must, makes a
 /// disc: a vertex that starts or ends two edges strands one of them.
 fn chain(
     rim: &[(u32, u32)],
     own: &mut [u32],
-    open_end: Option<usize>,
+    open_end: impl Fn() -> Option<usize>,
     starting_at: impl Fn(u32) -> Option<usize>,
 ) -> StarKind {
-    let first = open_end.unwrap_or(0);
+    let mut walk = |first| walk(rim, own, first, &starting_at);
+    match walk(0) {
+        Some(StarKind::Closed) => StarKind::Closed,
+        _ => open_end().and_then(walk).unwrap_or(StarKind::NonManifold),
+    }
+}
+
+/// A walk over all edges from the edge number `first`: what kind of star it makes, if it makes one.
+fn walk(
+    rim: &[(u32, u32)],
+    own: &mut [u32],
+    first: usize,
+    starting_at: impl Fn(u32) -> Option<usize>,
+) -> Option<StarKind> {
     let last_step = rim.len() - 1;
     let mut at = first;
-    for step in 0..=last_step {
-        let (start, end) = rim[at];
-        own[step] = start;
-        match starting_at(end) {
-            Some(next) if step == last_step && next == first => {
-                own[step + 1] = end;
-                return StarKind::Closed;
-            }
-            Some(next) if step < last_step && next != first => at = next,
-            None if step == last_step && open_end.is_some() => {
-                own[step + 1] = end;
-                return StarKind::Open;
-            }
-            _ => break,
-        }
+    for step in 0..last_step {
+        own[step] = rim[at].0;
+        at = starting_at(rim[at].1).filter(|&next| next != first)?;
     }
-    StarKind::NonManifold
+    let (start, end) = rim[at];
+    own[last_step..].copy_from_slice(&[start, end]);
+    match starting_at(end) {
+        Some(next) => (next == first).then_some(StarKind::Closed),
+        None => Some(StarKind::Open),
+    }
 }
 
 #[cfg(test)]

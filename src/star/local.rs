@@ -120,6 +120,37 @@ impl<N: Number> LocalStars<N> {
     /// Takes up the whole stars of `vertices`, each of which is in a triangle; `site` tells where a vertex is.
     #[inline(always)]
     pub fn take(&mut self, token: N::Token, stars: &Stars, site: impl Fn(u32) -> Site, vertices: &N::Vertices) {
+        let rims = self.rims(stars, vertices);
+        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+            self.set_centre(star, site(vertices.as_ref()[star]));
+            self.set_rim(rim, |spoke, r| spoke.set(star, site(r)));
+        }
+        self.center(token);
+    }
+
+    /// The same without the numbers of the rim vertices and where they were in the original mesh: what is asked of them means
+    /// nothing.
+    #[inline(always)]
+    pub fn take_places(
+        &mut self,
+        token: N::Token,
+        stars: &Stars,
+        place: impl Fn(u32) -> DVec3,
+        origin: impl Fn(u32) -> DVec3,
+        vertices: &N::Vertices,
+    ) {
+        let rims = self.rims(stars, vertices);
+        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+            let vertex = vertices.as_ref()[star];
+            self.set_centre(star, Site { vertex, place: place(vertex), origin: origin(vertex) });
+            self.set_rim(rim, |spoke, r| set_vector(&mut spoke.place, star, place(r)));
+        }
+        self.center(token);
+    }
+
+    /// The rims of stars, for which room is made.
+    #[inline(always)]
+    fn rims<'a>(&mut self, stars: &'a Stars, vertices: &N::Vertices) -> [&'a [u32]; MOST] {
         let mut rims: [&[u32]; MOST] = [&[]; MOST];
         (self.longest, self.split) = (0, usize::MAX);
         for (star, rim) in rims.iter_mut().enumerate().take(N::STARS) {
@@ -132,11 +163,7 @@ impl<N: Number> LocalStars<N> {
             self.longest = self.longest.next_multiple_of(2);
         }
         self.make_room();
-        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
-            self.set_centre(star, site(vertices.as_ref()[star]));
-            self.set_rim(star, rim, &site);
-        }
-        self.center(token);
+        rims
     }
 
     #[inline(always)]
@@ -155,10 +182,10 @@ impl<N: Number> LocalStars<N> {
 
     /// Writes a rim into the spokes. The loop is as long for each star, so that its end is foreseen.
     #[inline(always)]
-    fn set_rim(&mut self, star: usize, rim: &[u32], site: &impl Fn(u32) -> Site) {
+    fn set_rim(&mut self, rim: &[u32], set: impl Fn(&mut Spoke<N>, u32)) {
         let last = rim.len() - 1;
         for (i, spoke) in self.spokes[..=self.longest].iter_mut().enumerate() {
-            spoke.set(star, site(rim[i.min(last)]));
+            set(spoke, rim[i.min(last)]);
         }
     }
 

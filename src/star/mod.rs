@@ -1,6 +1,8 @@
-//! The operation on a star: one file for each of its steps, in the paper's order. Everything works on one star or on eight
-//! side by side.
+//! Stars taken out of the mesh, one or eight side by side: what they look like, and the operation on them, one file for each of
+//! its steps.
 
+mod company;
+mod cone;
 mod fan;
 mod form;
 mod local;
@@ -11,13 +13,17 @@ mod plane;
 mod ring;
 mod sizes;
 mod vectors;
+mod witness;
 
+pub(crate) use company::{Companions, LANES, TOGETHER};
+pub(crate) use cone::Cones;
 pub(crate) use local::{LocalStar, LocalStars, Site, double_vector_area};
 pub(crate) use number::Number;
 pub(crate) use operation::{Draft, Operation};
 pub(crate) use plane::TangentPlane;
 pub(crate) use sizes::Sizes;
 pub(crate) use vectors::{Vectors, set_vector, vector};
+pub(crate) use witness::{Arm, MEANINGLESS, THIN, Witness};
 
 #[cfg(test)]
 mod tests {

@@ -101,6 +101,12 @@ impl Operation {
         self.keeps_volume
     }
 
+    /// Whether it looks at nothing but places and numbers of triangles.
+    #[inline(always)]
+    pub fn sees_places_only(&self) -> bool {
+        matches!(self.kind, Kind::EdgeRatio) && self.sizes.is_none()
+    }
+
     /// From the centre of a star to where its shapes want it; `None` for a star that has no plane.
     pub fn target(&self, star: &LocalStar, draft: &mut Draft<f64>) -> Option<DVec3> {
         let (target, exists) = self.shape_targets((), star, &star.areas(()), draft);

@@ -5,13 +5,16 @@
 
 use std::ops::Range;
 
+use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
 use super::schedule::{BLOCK, Schedule};
+use super::surroundings::Surroundings;
 use super::task::Task;
-use super::visit::{LoneVisitor, Surroundings, TOGETHER, Tally};
+use super::visit::LoneVisitor;
 use crate::error::Error;
 use crate::progress::{self, Progress};
+use crate::star::TOGETHER;
 use crate::threads::Threads;
 
 /// Vertices of a task.

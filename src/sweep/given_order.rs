@@ -1,9 +1,10 @@
 //! The caller's own order: a list of vertices, gone through in each sweep.
 
+use super::end::Tally;
 use super::in_turn;
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{Surroundings, Tally};
+use super::surroundings::Surroundings;
 use crate::error::Error;
 use crate::memory;
 use crate::progress::Progress;

@@ -1,8 +1,10 @@
 //! Stars one after the other, in place, so that each sees what its neighbours visited before have become.
 
+use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{LoneVisitor, Surroundings, Tally};
+use super::surroundings::Surroundings;
+use super::visit::LoneVisitor;
 use crate::error::Error;
 use crate::progress::{self, Progress};
 

@@ -1,9 +1,10 @@
 //! The paper's GEA: stars by vertex index.
 
+use super::end::Tally;
 use super::in_turn;
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{Surroundings, Tally};
+use super::surroundings::Surroundings;
 use crate::error::Error;
 use crate::progress::Progress;
 

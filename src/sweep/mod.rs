@@ -1,6 +1,7 @@
 //! Sweeps: which stars are visited in which order, and what a visit does.
 
 mod color_order;
+mod end;
 mod given_order;
 mod in_turn;
 mod index_order;
@@ -9,6 +10,7 @@ mod outcome;
 mod places;
 mod schedule;
 mod slide;
+mod surroundings;
 mod tail_order;
 mod task;
 mod visit;
@@ -21,10 +23,11 @@ use crate::options::{Constraints, Options, Order};
 use crate::progress::Progress;
 use crate::threads::Threads;
 
+pub(crate) use end::Tally;
 pub(crate) use outcome::{Outcome, Outcomes};
 use places::Places;
 pub(crate) use slide::direction;
-pub(crate) use visit::{Surroundings, Tally, volume_neutral};
+pub(crate) use surroundings::{Surroundings, volume_neutral};
 
 /// Positions after the sweeps that `options` ask for, and what the visits came to.
 pub(crate) fn run(

@@ -21,9 +21,18 @@ impl Places {
     /// Position of vertex `v`.
     #[inline(always)]
     pub fn get(&self, v: u32) -> DVec3 {
-        let [x, y, z] = &self.0[v as usize];
-        let load = |x: &AtomicU64| f64::from_bits(x.load(Relaxed));
-        DVec3::new(load(x), load(y), load(z))
+        self.reader()(v)
+    }
+
+    /// Tells where a vertex is, without another look at where all places lie.
+    #[inline(always)]
+    pub fn reader(&self) -> impl Fn(u32) -> DVec3 {
+        let places = &self.0[..];
+        move |v| {
+            let [x, y, z] = &places[v as usize];
+            let load = |x: &AtomicU64| f64::from_bits(x.load(Relaxed));
+            DVec3::new(load(x), load(y), load(z))
+        }
     }
 
     /// Moves vertex `v`.

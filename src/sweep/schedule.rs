@@ -1,6 +1,6 @@
 //! Which stars can be visited at once: blocks of vertices, and colours for what lies between the blocks.
 
-use super::visit::Surroundings;
+use super::surroundings::Surroundings;
 use crate::error::Error;
 use crate::memory;
 use crate::threads::{PART, Threads};

@@ -7,9 +7,11 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{LoneVisitor, Surroundings, Tally};
+use super::surroundings::Surroundings;
+use super::visit::LoneVisitor;
 use crate::error::Error;
 use crate::memory;
 use crate::progress::{self, Progress};

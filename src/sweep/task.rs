@@ -4,9 +4,12 @@ use std::ops::Range;
 
 use fearless_simd::{Level, dispatch};
 
+use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{Surroundings, TOGETHER, Tally, Visitor};
+use super::surroundings::Surroundings;
+use super::visit::Visitor;
+use crate::star::TOGETHER;
 
 /// Stars that one thread visits.
 #[derive(Clone, Copy)]

@@ -3,11 +3,12 @@
 //! Where it starts and how it runs depends on the original mesh alone, so it is found once and every sweep follows it.
 //! It passes through vertices that stay: what they are does not keep the triangles beyond from being neighbours.
 
+use super::end::Tally;
 use super::in_turn;
 use super::neighbours::{NONE, Neighbours, components};
 use super::outcome::Outcomes;
 use super::places::Places;
-use super::visit::{Surroundings, Tally};
+use super::surroundings::Surroundings;
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, StarKind, repeats_a_vertex};

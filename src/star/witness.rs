@@ -1,9 +1,17 @@
-//! What the guard knows of the shape of a triangle of each star.
+//! Normal and shape of a triangle of each star.
 
-use crate::star::{Number, Vectors};
+use super::number::Number;
+use super::vectors::Vectors;
+
+/// Original shape below which a triangle's normal says nothing: comparing with it would freeze exactly those triangles
+/// that need to move.
+pub(crate) const MEANINGLESS: f64 = 1e-3;
+
+/// Original shape below which a triangle's own normal is not believed, nor its plane worth keeping.
+pub(crate) const THIN: f64 = 0.3;
 
 /// Triangles with the apex at the origin. Shapes are compared by their squares, which saves the square roots.
-pub(super) struct Witness<N> {
+pub(crate) struct Witness<N> {
     /// Twice as long as the areas.
     pub normal: Vectors<N>,
     /// The squares of the normals.
@@ -14,7 +22,7 @@ pub(super) struct Witness<N> {
 
 /// A rim vertex relative to the centre, and its squared distance from it: two triangles share it.
 #[derive(Clone, Copy)]
-pub(super) struct Arm<N> {
+pub(crate) struct Arm<N> {
     pub end: Vectors<N>,
     pub square: N,
 }

@@ -1,0 +1,106 @@
+//! Which stars go side by side.
+
+use crate::mesh::Stars;
+
+/// Stars side by side.
+pub(crate) const LANES: usize = 8;
+
+/// Vertices that are sorted at once, at most.
+pub(crate) const TOGETHER: usize = 64;
+
+/// Largest star that goes side by side with others.
+const COMPANIONABLE: usize = 16;
+
+/// Vertices whose stars have few triangles, sorted by how many, since a lane waits for the largest star of its company.
+pub(crate) struct Companions {
+    sorted: [u32; TOGETHER],
+    count: usize,
+}
+
+impl Companions {
+    /// Sorts those of at most [`TOGETHER`] `vertices` that are `wanted`; `other` hears of all the others.
+    #[inline(always)]
+    pub fn new(
+        stars: &Stars,
+        vertices: impl Iterator<Item = u32>,
+        wanted: impl Fn(u32) -> bool,
+        mut other: impl FnMut(u32),
+    ) -> Self {
+        let (mut found, mut valences, mut count) = ([0; TOGETHER], [0; TOGETHER], 0);
+        let mut ends = [0; COMPANIONABLE + 2];
+        for v in vertices {
+            let valence = stars.rim(v).len().wrapping_sub(1);
+            if valence > COMPANIONABLE || !wanted(v) {
+                other(v);
+                continue;
+            }
+            (found[count], valences[count]) = (v, valence as u8);
+            ends[valence + 1] += 1;
+            count += 1;
+        }
+        for valence in 1..ends.len() {
+            ends[valence] += ends[valence - 1];
+        }
+        let mut sorted = [0; TOGETHER];
+        for (&v, &valence) in found[..count].iter().zip(&valences) {
+            let place = &mut ends[usize::from(valence)];
+            sorted[*place] = v;
+            *place += 1;
+        }
+        Self { sorted, count }
+    }
+
+    /// Companies of as many stars as there are lanes; the last one may be smaller, and then repeats its first. With each
+    /// goes how many stars it has.
+    #[inline(always)]
+    pub fn companies(&self) -> impl Iterator<Item = ([u32; LANES], usize)> {
+        self.sorted[..self.count].chunks(LANES).map(|company| {
+            let mut vertices = [company[0]; LANES];
+            vertices[..company.len()].copy_from_slice(company);
+            (vertices, company.len())
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::threads::Threads;
+
+    /// Separate closed fans with these numbers of triangles, and the vertices in their centres.
+    fn fans(valences: &[u32]) -> (Vec<[u32; 3]>, Vec<u32>, usize) {
+        let (mut triangles, mut centres, mut count) = (Vec::new(), Vec::new(), 0);
+        for &valence in valences {
+            triangles.extend((0..valence).map(|i| [count, count + 1 + i, count + 1 + (i + 1) % valence]));
+            centres.push(count);
+            count += valence + 1;
+        }
+        (triangles, centres, count as usize)
+    }
+
+    #[test]
+    fn small_stars_are_sorted_and_the_others_named() {
+        let (triangles, centres, count) = fans(&[7, 3, 16, 17, 5, 3, 6, 6, 4, 5, 40]);
+        let positions = vec![[0.0_f64; 3]; count];
+        let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
+        let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
+        let mut others = Vec::new();
+        let unwanted = centres[6];
+        let companions = Companions::new(&stars, centres.iter().copied(), |v| v != unwanted, |v| others.push(v));
+        assert_eq!(others, [3, 6, 10].map(|i| centres[i]));
+        let found: Vec<_> = companions.companies().collect();
+        assert_eq!(found, [([1, 5, 8, 4, 9, 7, 0, 2].map(|i| centres[i]), 8)]);
+    }
+
+    #[test]
+    fn a_small_company_repeats_its_first() {
+        let (triangles, centres, count) = fans(&[5; 10]);
+        let positions = vec![[0.0_f64; 3]; count];
+        let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
+        let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
+        let companions = Companions::new(&stars, centres.iter().copied(), |_| true, |v| panic!("{v}"));
+        let (last, count) = companions.companies().nth(1).unwrap();
+        assert_eq!((last, count), ([8, 9, 8, 8, 8, 8, 8, 8].map(|i| centres[i]), 2));
+    }
+}
