@@ -92,6 +92,14 @@ impl Threads<'_> {
         self.map(0..count.div_ceil(PART), |part| work(part * PART..((part + 1) * PART).min(count)))
     }
 
+    /// What `work` makes of each of several parts, in their order.
+    pub fn map_each<P: Send, T: Send>(&self, parts: Vec<P>, work: impl Fn(P) -> T + Sync) -> Vec<T> {
+        match self.0 {
+            None => parts.into_iter().map(work).collect(),
+            Some(pool) => pool.install(|| parts.into_par_iter().map(&work).collect()),
+        }
+    }
+
     /// Carries out a piece of work on each of several parts.
     pub fn each<T: Send>(&self, parts: Vec<T>, work: impl Fn(T) + Sync) {
         match self.0 {

@@ -318,8 +318,8 @@ fn walk(
 ) -> Option<StarKind> {
     let last_step = rim.len() - 1;
     let mut at = first;
-    for step in 0..last_step {
-        own[step] = rim[at].0;
+    for slot in &mut own[..last_step] {
+        *slot = rim[at].0;
         at = starting_at(rim[at].1).filter(|&next| next != first)?;
     }
     let (start, end) = rim[at];

@@ -11,55 +11,68 @@ pub(crate) const TOGETHER: usize = 64;
 /// Largest star that goes side by side with others.
 const COMPANIONABLE: usize = 16;
 
-/// Vertices whose stars have few triangles, sorted by how many, since a lane waits for the largest star of its company.
+/// Vertices whose stars have few triangles, sorted by how many, since a lane waits for the largest star of its company; and
+/// behind them the others.
 pub(crate) struct Companions {
     sorted: [u32; TOGETHER],
+    /// How many have few triangles.
     count: usize,
+    /// How many there are in all.
+    total: usize,
 }
 
 impl Companions {
-    /// Sorts those of at most [`TOGETHER`] `vertices` that are `wanted`; `other` hears of all the others.
+    /// Sorts at most [`TOGETHER`] `vertices`. Those that are not `wanted` are not among the companions.
     #[inline(always)]
-    pub fn new(
-        stars: &Stars,
-        vertices: impl Iterator<Item = u32>,
-        wanted: impl Fn(u32) -> bool,
-        mut other: impl FnMut(u32),
-    ) -> Self {
-        let (mut found, mut valences, mut count) = ([0; TOGETHER], [0; TOGETHER], 0);
-        let mut ends = [0; COMPANIONABLE + 2];
+    pub fn new(stars: &Stars, vertices: impl Iterator<Item = u32>, wanted: impl Fn(u32) -> bool) -> Self {
+        let (mut found, mut valences, mut total) = ([0; TOGETHER], [0; TOGETHER], 0);
+        let mut ends = [0; COMPANIONABLE + 3];
         for v in vertices {
             let valence = stars.rim(v).len().wrapping_sub(1);
-            if valence > COMPANIONABLE || !wanted(v) {
-                other(v);
-                continue;
-            }
-            (found[count], valences[count]) = (v, valence as u8);
+            let valence = if valence <= COMPANIONABLE && wanted(v) { valence } else { COMPANIONABLE + 1 };
+            (found[total], valences[total]) = (v, valence as u8);
             ends[valence + 1] += 1;
-            count += 1;
+            total += 1;
         }
         for valence in 1..ends.len() {
             ends[valence] += ends[valence - 1];
         }
-        let mut sorted = [0; TOGETHER];
-        for (&v, &valence) in found[..count].iter().zip(&valences) {
+        let (mut sorted, count) = ([0; TOGETHER], ends[COMPANIONABLE + 1]);
+        for (&v, &valence) in found[..total].iter().zip(&valences) {
             let place = &mut ends[usize::from(valence)];
             sorted[*place] = v;
             *place += 1;
         }
-        Self { sorted, count }
+        Self { sorted, count, total }
     }
 
-    /// Companies of as many stars as there are lanes; the last one may be smaller, and then repeats its first. With each
-    /// goes how many stars it has.
+    /// How many companions there are.
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// The companions, and behind them the others.
+    pub fn all(&self) -> &[u32] {
+        &self.sorted[..self.total]
+    }
+
+    /// Companies of companions. With each goes how many there are.
     #[inline(always)]
     pub fn companies(&self) -> impl Iterator<Item = ([u32; LANES], usize)> {
-        self.sorted[..self.count].chunks(LANES).map(|company| {
-            let mut vertices = [company[0]; LANES];
-            vertices[..company.len()].copy_from_slice(company);
-            (vertices, company.len())
-        })
+        companies(&self.sorted[..self.count])
     }
+}
+
+/// Companies of as many vertices as there are lanes; the last one may be smaller, and then repeats its first. With each goes
+/// how many it has.
+#[inline(always)]
+pub(crate) fn companies(vertices: &[u32]) -> impl Iterator<Item = ([u32; LANES], usize)> {
+    let (full, rest) = vertices.as_chunks::<LANES>();
+    let last = rest.first().map(|&first| {
+        let at = |i: usize| rest.get(i).copied().unwrap_or(first);
+        (std::array::from_fn(at), rest.len())
+    });
+    full.iter().map(|&company| (company, LANES)).chain(last)
 }
 
 #[cfg(test)]
@@ -85,10 +98,9 @@ mod tests {
         let positions = vec![[0.0_f64; 3]; count];
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let mut others = Vec::new();
         let unwanted = centres[6];
-        let companions = Companions::new(&stars, centres.iter().copied(), |v| v != unwanted, |v| others.push(v));
-        assert_eq!(others, [3, 6, 10].map(|i| centres[i]));
+        let companions = Companions::new(&stars, centres.iter().copied(), |v| v != unwanted);
+        assert_eq!(companions.all(), [1, 5, 8, 4, 9, 7, 0, 2, 3, 6, 10].map(|i| centres[i]));
         let found: Vec<_> = companions.companies().collect();
         assert_eq!(found, [([1, 5, 8, 4, 9, 7, 0, 2].map(|i| centres[i]), 8)]);
     }
@@ -99,7 +111,7 @@ mod tests {
         let positions = vec![[0.0_f64; 3]; count];
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let companions = Companions::new(&stars, centres.iter().copied(), |_| true, |v| panic!("{v}"));
+        let companions = Companions::new(&stars, centres.iter().copied(), |_| true);
         let (last, count) = companions.companies().nth(1).unwrap();
         assert_eq!((last, count), ([8, 9, 8, 8, 8, 8, 8, 8].map(|i| centres[i]), 2));
     }

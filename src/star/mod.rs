@@ -15,7 +15,7 @@ mod sizes;
 mod vectors;
 mod witness;
 
-pub(crate) use company::{Companions, LANES, TOGETHER};
+pub(crate) use company::{Companions, LANES, TOGETHER, companies};
 pub(crate) use cone::Cones;
 pub(crate) use local::{LocalStar, LocalStars, Site, double_vector_area};
 pub(crate) use number::Number;

@@ -13,6 +13,7 @@ mod slide;
 mod surroundings;
 mod tail_order;
 mod task;
+mod turns;
 mod visit;
 mod wave_order;
 

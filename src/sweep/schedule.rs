@@ -1,8 +1,13 @@
 //! Which stars can be visited at once: blocks of vertices, and colours for what lies between the blocks.
 
+use std::ops::Range;
+
 use super::surroundings::Surroundings;
+use super::task::Task;
+use super::turns::{self, Turn};
 use crate::error::Error;
 use crate::memory;
+use crate::star::TOGETHER;
 use crate::threads::{PART, Threads};
 
 /// Vertices of consecutive numbers that make a block: a power of two.
@@ -11,15 +16,23 @@ pub(super) const BLOCK: usize = 512;
 /// Colours at most. Vertices for which none is left are visited one by one.
 const COLORS: usize = 63;
 
+/// Vertices of a task, at most.
+const TASK: usize = BLOCK * TOGETHER;
+
 /// The vertices that may move, in the order of their visits. It depends on the mesh alone.
 pub(super) struct Schedule {
-    /// First the inner vertices of each block, by index: their neighbours lie in their own block, or don't move. Then the
-    /// others, by colour: no two of one colour are neighbours. Then those that no colour was left for.
-    pub vertices: Vec<u32>,
-    /// Ends of the blocks in `vertices`.
-    pub blocks: Vec<usize>,
-    /// Ends of the colours behind the blocks.
-    pub colors: Vec<usize>,
+    /// First the inner vertices of the blocks: their neighbours lie in their own block, or don't move. Then the others, by
+    /// colour: no two of one colour are neighbours. Then those that no colour was left for.
+    vertices: Vec<u32>,
+    /// Tasks that don't wait for each other, round by round.
+    rounds: Vec<Vec<Lot>>,
+}
+
+/// What a task consists of.
+struct Lot {
+    /// Where its vertices lie.
+    vertices: Range<usize>,
+    turns: Vec<Turn>,
 }
 
 /// What a vertex is, in a byte: one of these, or its colour.
@@ -35,21 +48,61 @@ impl Schedule {
                 *mark = around.mark(v);
             }
         });
-        let mut vertices = memory::reserved(marks.iter().filter(|&&mark| mark != STAYS).count())?;
-        let mut blocks = memory::reserved(marks.len().div_ceil(BLOCK))?;
-        for (block, marks) in marks.chunks(BLOCK).enumerate() {
-            let inner = ((block * BLOCK) as u32..).zip(marks).filter(|&(_, &mark)| mark == INNER);
-            vertices.extend(inner.map(|(v, _)| v));
-            blocks.push(vertices.len());
-        }
+        let mut schedule = Self {
+            vertices: memory::reserved(marks.iter().filter(|&&mark| mark != STAYS).count())?,
+            rounds: Vec::new(),
+        };
+        schedule.add_blocks(around, &marks, threads)?;
         greedy(around, &mut marks);
-        let mut schedule = Self { vertices, blocks, colors: Vec::new() };
-        schedule.add_border(&marks);
+        schedule.add_border(around, &marks, threads);
         Ok(schedule)
     }
 
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Tasks that don't wait for each other, round by round.
+    pub fn rounds(&self) -> impl Iterator<Item = Vec<Task<'_>>> {
+        self.rounds.iter().map(|round| round.iter().map(|lot| self.task(lot)).collect())
+    }
+
+    fn task<'a>(&'a self, lot: &'a Lot) -> Task<'a> {
+        Task { vertices: &self.vertices[lot.vertices.clone()], turns: &lot.turns }
+    }
+
+    /// The vertices that are in no task, to be visited one by one.
+    pub fn rest(&self) -> &[u32] {
+        &self.vertices[self.end()..]
+    }
+
+    /// End of the last task.
+    fn end(&self) -> usize {
+        self.rounds.last().and_then(|round| round.last()).map_or(0, |lot| lot.vertices.end)
+    }
+
+    /// Adds the inside of all blocks, several blocks side by side.
+    fn add_blocks(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) -> Result<(), Error> {
+        let (vertices, mut blocks) = (&mut self.vertices, memory::reserved(marks.len().div_ceil(BLOCK))?);
+        for (block, marks) in marks.chunks(BLOCK).enumerate() {
+            let (start, first) = (vertices.len(), (block * BLOCK) as u32);
+            vertices.extend((first..).zip(marks).filter(|&(_, &mark)| mark == INNER).map(|(v, _)| v));
+            blocks.push(start..vertices.len());
+        }
+        let (mut work, mut left) = (Vec::new(), &mut vertices[..]);
+        for parts in blocks.chunks(TOGETHER) {
+            let (own, others) = left.split_at_mut(parts.iter().map(ExactSizeIterator::len).sum());
+            work.push((parts, own));
+            left = others;
+        }
+        let turns = threads.map_each(work, |(parts, own)| turns::side_by_side(around, own, parts));
+        self.rounds.push(lots(0, turns));
+        Ok(())
+    }
+
     /// Adds the border, colour by colour, by counting.
-    fn add_border(&mut self, marks: &[u8]) {
+    fn add_border(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) {
         let colors = || marks.iter().map(|&mark| usize::from(mark)).enumerate().filter(|&(_, color)| color <= COLORS);
         let mut counts = [0; COLORS + 1];
         colors().for_each(|(_, color)| counts[color] += 1);
@@ -57,13 +110,28 @@ impl Schedule {
         for color in 0..=COLORS {
             next[color + 1] = next[color] + counts[color];
         }
-        self.colors.extend(next[1..=COLORS].iter().zip(counts).filter(|&(_, count)| count > 0).map(|(&end, _)| end));
+        let starts = next;
         self.vertices.resize(next[COLORS + 1], 0);
         for (v, color) in colors() {
             self.vertices[next[color]] = v as u32;
             next[color] += 1;
         }
+        for (color, &start) in starts[..COLORS].iter().enumerate().filter(|&(color, _)| counts[color] > 0) {
+            let own = self.vertices[start..starts[color + 1]].chunks_mut(TASK).collect();
+            self.rounds.push(lots(start, threads.map_each(own, |own| turns::apart(around, own))));
+        }
     }
+}
+
+/// Tasks one behind the other.
+fn lots(start: usize, turns: Vec<Vec<Turn>>) -> Vec<Lot> {
+    let mut end = start;
+    let lot = |turns: Vec<Turn>| {
+        let start = end;
+        end += turns.iter().map(|turn| usize::from(turn.size)).sum::<usize>();
+        Lot { vertices: start..end, turns }
+    };
+    turns.into_iter().map(lot).collect()
 }
 
 impl Surroundings<'_> {

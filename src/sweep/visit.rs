@@ -9,7 +9,7 @@ use super::places::Places;
 use super::surroundings::Surroundings;
 use crate::features::Role;
 use crate::guard::Guard;
-use crate::star::{Companions, Cones, Draft, LANES, LocalStars, Number, Vectors, vector};
+use crate::star::{Cones, Draft, LANES, LocalStars, Number, Vectors, companies, vector};
 
 /// Fewest stars that are visited faster side by side than one after the other.
 const COMPANY: usize = 3;
@@ -42,15 +42,13 @@ impl<'a, S: Simd> Visitor<'a, S> {
         [self.tally, self.alone.tally].into_iter().sum()
     }
 
-    /// Visits `vertices`, at most [`TOGETHER`](crate::star::TOGETHER), no two of which are neighbours and all of which have a
-    /// role that lets them move, and notes the outcomes. The result is that of visiting them one by one in any order.
+    /// Visits vertices no two of which are neighbours, all of which have a role that lets them move, and the first of which
+    /// are `companions`; notes the outcomes. The result is that of visiting them one by one in any order.
     #[inline(always)]
-    pub fn visit(&mut self, vertices: &[u32], places: &Places, outcomes: &Outcomes) {
-        let Self { around, alone, .. } = self;
-        let moves_in_plane = |v: u32| around.features.role(v).moves_in_plane();
-        let others = |v: u32| alone.visit(v, places, outcomes);
-        let companions = Companions::new(around.stars, vertices.iter().copied(), moves_in_plane, others);
-        for (company, count) in companions.companies() {
+    pub fn visit(&mut self, vertices: &[u32], companions: usize, places: &Places, outcomes: &Outcomes) {
+        let (companions, others) = vertices.split_at(companions);
+        others.iter().for_each(|&v| self.alone.visit(v, places, outcomes));
+        for (company, count) in companies(companions) {
             if count < COMPANY {
                 company[..count].iter().for_each(|&v| self.alone.visit(v, places, outcomes));
             } else {

@@ -1,0 +1,46 @@
+//! Turns: stars that a thread visits at once, since none of them is a neighbour of another. Which they are, and in which order
+//! they stand so that they can go side by side, is the same in every sweep.
+
+use std::ops::Range;
+
+use super::surroundings::Surroundings;
+use crate::star::{Companions, TOGETHER};
+
+/// Vertices that follow one another in a list, at most [`TOGETHER`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Turn {
+    /// How many.
+    pub size: u8,
+    /// How many of them, at the front, have stars that can go side by side; those stand with their like.
+    pub companions: u8,
+}
+
+/// Arranges a list that consists of `parts`, none of which has a neighbour in another one: first the first vertices of all
+/// parts, then the second ones, and so on.
+pub(super) fn side_by_side(around: &Surroundings<'_>, vertices: &mut [u32], parts: &[Range<usize>]) -> Vec<Turn> {
+    let (apart, mut turns, mut left) = (vertices.to_vec(), Vec::new(), vertices);
+    let start = parts.first().map_or(0, |part| part.start);
+    for nth in 0.. {
+        let members = parts.iter().filter(|part| nth < part.len()).map(|part| apart[part.start - start + nth]);
+        let size = left.iter_mut().zip(members).map(|(place, v)| *place = v).count();
+        if size == 0 {
+            break;
+        }
+        let (turn, others) = left.split_at_mut(size);
+        turns.push(arrange(around, turn));
+        left = others;
+    }
+    turns
+}
+
+/// Arranges a list of vertices no two of which are neighbours.
+pub(super) fn apart(around: &Surroundings<'_>, vertices: &mut [u32]) -> Vec<Turn> {
+    vertices.chunks_mut(TOGETHER).map(|turn| arrange(around, turn)).collect()
+}
+
+fn arrange(around: &Surroundings<'_>, turn: &mut [u32]) -> Turn {
+    let moves_in_plane = |v: u32| around.features.role(v).moves_in_plane();
+    let companions = Companions::new(around.stars, turn.iter().copied(), moves_in_plane);
+    turn.copy_from_slice(companions.all());
+    Turn { size: turn.len() as u8, companions: companions.len() as u8 }
+}
