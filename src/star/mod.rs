@@ -5,6 +5,7 @@ mod company;
 mod cone;
 mod fan;
 mod form;
+mod forms;
 mod local;
 mod model;
 mod number;

@@ -8,6 +8,9 @@ use crate::options::Options;
 /// Largest star whose logarithms are tabulated, and whose ranks are counted one by one.
 const TABLE: usize = 32;
 
+/// Intervals for which it is faster to rank intervals than samples, at most.
+pub(super) const FEW: usize = 8;
+
 /// Entries of a row of the table: a power of two, so that a number cut down to its last bits is in range.
 const ROW: usize = 64;
 
@@ -19,6 +22,8 @@ pub(crate) struct Model {
     /// 1 / w.
     per_interval: f64,
     sample_limit: f64,
+    /// Number of the interval that holds the largest sample.
+    intervals: f64,
     /// Entry \[n\]\[c\] is √(−2 ln(1 − c / (n + 1))): F takes no other values. Only the first n + 1 have a meaning.
     roots: Vec<[f64; ROW]>,
 }
@@ -26,11 +31,20 @@ pub(crate) struct Model {
 impl Model {
     pub fn new(options: &Options) -> Self {
         let row = |n: usize| std::array::from_fn(|c| if c <= n { root_term(c, n) } else { 0.0 });
-        Self {
+        let mut model = Self {
             per_interval: 1.0 / options.interval_width,
             sample_limit: options.sample_limit,
+            intervals: 0.0,
             roots: (0..=TABLE).map(row).collect(),
-        }
+        };
+        model.intervals = model.interval((), model.sample_limit, true);
+        model
+    }
+
+    /// Whether intervals can be ranked instead of the samples in them, for stars with as many samples at most.
+    #[inline(always)]
+    pub fn suits(&self, samples: usize) -> bool {
+        samples <= TABLE && self.intervals <= FEW as f64
     }
 
     /// A sample that is too large counts as the limit.
@@ -75,18 +89,42 @@ impl Model {
             }
             count.store(&mut samples[own].rank);
         }
-        self.look_up(samples, &valences.row());
+        for sample in samples {
+            self.look_up(&mut sample.rank, &valences.row());
+        }
+    }
+
+    /// Ranks the intervals, from the first to the last that holds a sample of any star. Returns how many.
+    #[inline(always)]
+    pub fn rank_intervals<N: Number>(
+        &self,
+        token: N::Token,
+        samples: &[Sample<N>],
+        valences: N,
+        ranks: &mut [N::Row; FEW],
+    ) -> usize {
+        let (one, none) = (N::splat(token, 1.0), N::splat(token, WHOLE));
+        let mut ranked = 0;
+        for rank in ranks {
+            let (mut count, number) = (none, N::splat(token, ranked as f64 + 1.0));
+            for sample in samples {
+                count = count + one.only(token, N::load(token, &sample.interval).at_most(number));
+            }
+            count.store(rank);
+            self.look_up(rank, &valences.row());
+            ranked += 1;
+            if !N::any(count.below(none + valences)) {
+                break;
+            }
+        }
+        ranked
     }
 
     /// Replaces counts by what they mean.
     #[inline(always)]
-    fn look_up<N: Number>(&self, samples: &mut [Sample<N>], valences: &N::Row) {
-        for star in 0..N::STARS {
-            let roots = &self.roots[valences.as_ref()[star] as usize];
-            for sample in samples.iter_mut() {
-                let rank = &mut sample.rank.as_mut()[star];
-                *rank = roots[rank.to_bits() as usize % ROW];
-            }
+    fn look_up<R: AsRef<[f64]> + AsMut<[f64]>>(&self, counts: &mut R, valences: &R) {
+        for (count, &valence) in counts.as_mut().iter_mut().zip(valences.as_ref()) {
+            *count = self.roots[valence as usize][count.to_bits() as usize % ROW];
         }
     }
 }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::fan::Fan;
 use super::form::{Flat, Form};
+use super::forms::{Apart, ByInterval, Forms};
 use super::local::{LocalStar, LocalStars};
 use super::model::Model;
 use super::number::Number;
@@ -185,13 +186,15 @@ impl Operation {
         let samples = &mut samples[..stars.longest()];
         let total = self.sample(token, stars, planes, samples);
         let deviation = match self.ideal {
-            Ideal::Modelled => {
-                self.model.rank(token, samples, valences);
-                self.model.deviation(token, samples, total, valences)
-            }
+            Ideal::Modelled => self.model.deviation(token, samples, total, valences),
             Ideal::Equilateral => N::splat(token, 0.0),
         };
-        mean_center(token, stars, planes, samples, deviation)
+        if self.model.suits(samples.len()) {
+            let forms = ByInterval::new(token, &self.model, samples, valences, deviation);
+            return mean_center(token, stars, planes, samples, &forms);
+        }
+        self.model.rank(token, samples, valences);
+        mean_center(token, stars, planes, samples, &Apart { deviation })
     }
 
     /// The planes of the sectors, and which stars have them.
@@ -249,13 +252,12 @@ fn mean_center<N: Number>(
     stars: &LocalStars<N>,
     planes: &[TangentPlanes<N>; 2],
     samples: &[Sample<N>],
-    deviation: N,
+    forms: &impl Forms<N>,
 ) -> Vectors<N> {
     let (mut countdown, one) = (stars.countdown(token), N::splat(token, 1.0));
     let mut sums = [Points::<N>::zero(token); 2];
     for (i, sample) in samples.iter().enumerate() {
-        let ideal = N::load(token, &sample.rank) * deviation + one;
-        let center = sample.flat.center(token, ideal).only(token, countdown.next());
+        let center = sample.flat.center(token, forms.of(token, sample)).only(token, countdown.next());
         let sum = &mut sums[stars.sector(i)];
         *sum = sum.plus(center);
     }

@@ -39,21 +39,43 @@ impl<N: Number> Flat<N> {
         ratio.root()
     }
 
-    /// Potential centers for the modelled values `ideal` ≥ 1; the inner side is to the left of the edge.
+    /// Potential centers for a form; the inner side is to the left of the edge.
+    #[inline(always)]
+    pub fn center(&self, token: N::Token, form: Proportions<N>) -> Points<N> {
+        let (a, edge) = (Points::<N>::load(token, &self.a), Points::<N>::load(token, &self.edge));
+        let leans = N::splat(token, 0.0).below(N::load(token, &self.leans));
+        let foot = N::choose(leans, form.foot, N::splat(token, 1.0) - form.foot);
+        Points { x: a.x + edge.x * foot - edge.y * form.height, y: a.y + edge.y * foot + edge.x * form.height }
+    }
+}
+
+/// Where the apex of a potential form is over its edge, in units of the edge's length, if the apex is to lean to the start.
+#[derive(Clone, Copy)]
+pub(in crate::star) struct Proportions<N> {
+    foot: N,
+    height: N,
+}
+
+impl<N: Number> Proportions<N> {
+    /// For the modelled values `ideal` ≥ 1.
     ///
     /// Up to √2 the form is isosceles with both sides of length |ab| / ideal. Beyond, the apex is the right-angled point
     /// of the semicircle over the edge whose short side has that length, on the side to which the present apex is nearer.
     /// Both meet at half the edge's length above its middle.
     #[inline(always)]
-    pub fn center(&self, token: N::Token, ideal: N) -> Points<N> {
-        let (a, edge) = (Points::<N>::load(token, &self.a), Points::<N>::load(token, &self.edge));
+    pub fn of(token: N::Token, ideal: N) -> Self {
         let (one, half) = (N::splat(token, 1.0), N::splat(token, 0.5));
-        let leans = N::splat(token, 0.0).below(N::load(token, &self.leans));
         let side = one / (ideal * ideal);
         let isosceles = half.at_most(side);
-        let foot = N::choose(isosceles, half, N::choose(leans, side, one - side));
+        let foot = N::choose(isosceles, half, side);
         let height = N::choose(isosceles, side - N::splat(token, 0.25), side * (one - side)).root();
-        Points { x: a.x + edge.x * foot - edge.y * height, y: a.y + edge.y * foot + edge.x * height }
+        Self { foot, height }
+    }
+
+    /// `yes` where `truth` holds, else `no`.
+    #[inline(always)]
+    pub fn choose(truth: N::Truth, yes: Self, no: Self) -> Self {
+        Self { foot: N::choose(truth, yes.foot, no.foot), height: N::choose(truth, yes.height, no.height) }
     }
 }
 
@@ -77,7 +99,7 @@ mod tests {
     }
 
     fn center(a: DVec2, b: DVec2, ideal: f64) -> DVec2 {
-        let Points { x, y } = flat(a, b).0.center((), ideal);
+        let Points { x, y } = flat(a, b).0.center((), Proportions::of((), ideal));
         DVec2::new(x, y)
     }
 
