@@ -158,10 +158,6 @@ impl<N: Number> LocalStars<N> {
             self.valences.as_mut()[star] = (rim.len() - 1) as f64;
             self.longest = self.longest.max(rim.len() - 1);
         }
-        if N::STARS > 1 {
-            // Loops whose lengths vary less are better foreseen.
-            self.longest = self.longest.next_multiple_of(2);
-        }
         self.make_room();
         rims
     }
@@ -183,9 +179,13 @@ impl<N: Number> LocalStars<N> {
     /// Writes a rim into the spokes. The loop is as long for each star, so that its end is foreseen.
     #[inline(always)]
     fn set_rim(&mut self, rim: &[u32], set: impl Fn(&mut Spoke<N>, u32)) {
-        let last = rim.len() - 1;
-        for (i, spoke) in self.spokes[..=self.longest].iter_mut().enumerate() {
-            set(spoke, rim[i.min(last)]);
+        let (own, beyond) = self.spokes[..=self.longest].split_at_mut(rim.len());
+        for (spoke, &r) in own.iter_mut().zip(rim) {
+            set(spoke, r);
+        }
+        let end = rim[rim.len() - 1];
+        for spoke in beyond {
+            set(spoke, end);
         }
     }
 
