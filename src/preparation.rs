@@ -40,11 +40,15 @@ impl<'a> Preparation<'a> {
         let mesh = Mesh::new(positions, triangles, threads)?;
         let stars = Stars::new(&mesh, threads)?;
         let adjacency = clock.elapsed().as_secs_f64();
-        let cones = Cones::new(&mesh, &stars, LARGEST_TURN, threads)?;
-        let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
-        let finding = clock.elapsed().as_secs_f64() - adjacency;
         let sizes = options.keep_sizes.then(|| Sizes::new(&mesh, &stars, threads)).transpose()?;
         let operation = Operation::new(options, sizes);
+        let cones = if are_cones_worthwhile(options, &operation) {
+            Cones::new(&mesh, &stars, LARGEST_TURN, threads)?
+        } else {
+            None
+        };
+        let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
+        let finding = clock.elapsed().as_secs_f64() - adjacency;
         Ok(Self { mesh, stars, features, cones, operation, adjacency, finding })
     }
 
@@ -54,7 +58,7 @@ impl<'a> Preparation<'a> {
             mesh: &self.mesh,
             stars: &self.stars,
             features: &self.features,
-            cones: self.cones.as_ref().filter(|_| self.operation.sees_places_only()),
+            cones: self.cones.as_ref(),
             operation: &self.operation,
             floor: options.quality_floor,
             keeps_shape: options.feature_angle.is_some(),
@@ -62,6 +66,13 @@ impl<'a> Preparation<'a> {
             max_deviation: options.max_deviation.map(|bound| bound / self.mesh.unit),
         }
     }
+}
+
+/// Whether cones save more time than they take: in stars that go side by side, and there from the second look at the original
+/// triangles on.
+fn are_cones_worthwhile(options: &Options, operation: &Operation) -> bool {
+    let is_seen_again = options.feature_angle.is_some() || options.iterations > 1;
+    options.order == Order::Colors && operation.sees_places_only() && is_seen_again
 }
 
 pub(crate) fn check_constraints(constraints: &Constraints<'_>, vertex_count: usize) -> Result<(), Error> {
