@@ -88,7 +88,8 @@ mod tests {
 
     /// A regular fan of six triangles, pulled out by `height` at its centre.
     fn tent(height: f64) -> Vec<DVec3> {
-        let rim = (0..6).map(|i| f64::from(i).to_radians() * 60.0).map(|angle| DVec3::new(angle.cos(), angle.sin(), 0.0));
+        let rim =
+            (0..6).map(|i| f64::from(i).to_radians() * 60.0).map(|angle| DVec3::new(angle.cos(), angle.sin(), 0.0));
         std::iter::once(DVec3::new(0.0, 0.0, height)).chain(rim).collect()
     }
 
@@ -114,6 +115,15 @@ mod tests {
     fn where_the_place_binds_the_guard_is_asked() {
         let found = said(&tent(0.0), &[DVec3::ZERO; 7], DVec3::X * 0.01, Leash { place: 0.2, ..PLANES });
         assert_eq!(found, Said { glance: false, guard: true });
+    }
+
+    #[test]
+    fn where_a_triangle_came_folded_over_the_guard_is_asked() {
+        let (mut fan, mut drift) = (tent(0.0), [DVec3::ZERO; 7]);
+        let folded = DVec3::new(100_f64.to_radians().cos(), 100_f64.to_radians().sin(), 0.0);
+        drift[4] = fan[4] - folded;
+        fan[4] = folded;
+        assert!(!said(&fan, &drift, DVec3::X * 0.01, PLANES).glance);
     }
 
     fn vectors(size: f64, count: usize) -> impl Strategy<Value = Vec<DVec3>> {

@@ -164,3 +164,69 @@ fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) {
         marks[v] = (taken.trailing_ones() as u8).min(COLORS as u8);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use super::*;
+    use crate::options::{Constraints, Options};
+    use crate::preparation::Preparation;
+
+    /// A flat grid of this many squares, its vertices numbered row by row, or all over the place.
+    fn grid([columns, rows]: [u32; 2], shuffled: bool) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let count = (columns + 1) * (rows + 1);
+        let number = |v: u32| if shuffled { (u64::from(v) * 7919 % u64::from(count)) as u32 } else { v };
+        let mut positions = vec![[0.0; 3]; count as usize];
+        for v in 0..count {
+            positions[number(v) as usize] = [f64::from(v % (columns + 1)), f64::from(v / (columns + 1)), 0.0];
+        }
+        let squares = (0..rows).flat_map(|y| (0..columns).map(move |x| y * (columns + 1) + x));
+        let halves = |a: u32| [[a, a + 1, a + columns + 2], [a, a + columns + 2, a + columns + 1]];
+        let triangles = squares.flat_map(halves).map(|corners| corners.map(number)).collect();
+        (positions, triangles)
+    }
+
+    /// Asserts that each inner vertex has its place, and no neighbours where they would meet. Returns how many tasks there
+    /// are.
+    fn check(squares: [u32; 2], shuffled: bool) -> usize {
+        let (positions, triangles) = grid(squares, shuffled);
+        let options = Options::default();
+        let prepared =
+            Preparation::new(positions.as_slice(), &triangles, &options, &Constraints::default(), &Threads::ONE)
+                .unwrap();
+        let around = prepared.surroundings(&options);
+        let schedule = Schedule::new(&around, &Threads::ONE).unwrap();
+        let mut seen: Vec<u32> = schedule.rest().to_vec();
+        for round in schedule.rounds() {
+            let mut owners = HashMap::new();
+            for (number, task) in round.iter().enumerate() {
+                seen.extend(task.vertices);
+                owners.extend(task.vertices.iter().map(|&v| (v, number)));
+                assert_eq!(task.turns.iter().map(|turn| usize::from(turn.size)).sum::<usize>(), task.vertices.len());
+                let mut left = task.vertices;
+                for turn in task.turns {
+                    let (own, others) = left.split_at(usize::from(turn.size));
+                    let meets = |v: &u32| around.stars.rim(*v).iter().any(|r| own.contains(r));
+                    assert!(!own.iter().any(meets), "neighbours in a turn");
+                    left = others;
+                }
+            }
+            let is_apart = |(v, own): (&u32, &usize)| {
+                around.stars.rim(*v).iter().all(|r| owners.get(r).is_none_or(|other| other == own))
+            };
+            assert!(owners.iter().all(is_apart), "neighbours in two tasks of a round");
+        }
+        seen.sort_unstable();
+        assert_eq!(seen, around.movable().unwrap());
+        schedule.rounds().map(|round| round.len()).sum()
+    }
+
+    #[test]
+    fn each_vertex_has_its_turn_and_no_neighbour_beside_it() {
+        assert_eq!(check([3, 3], false), 1);
+        check([40, 30], true);
+        assert!(check([199, 399], false) > 4);
+        assert!(check([199, 399], true) > 4);
+    }
+}
