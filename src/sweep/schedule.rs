@@ -97,7 +97,7 @@ impl Schedule {
             left = others;
         }
         let turns = threads.map_each(work, |(parts, own)| turns::side_by_side(around, own, parts));
-        self.rounds.push(lots(0, turns));
+        self.rounds.push(lots(0, turns.into_iter().collect::<Result<_, _>>()?));
         Ok(())
     }
 

@@ -4,6 +4,8 @@
 use std::ops::Range;
 
 use super::surroundings::Surroundings;
+use crate::error::Error;
+use crate::memory;
 use crate::star::{Companions, TOGETHER};
 
 /// Vertices that follow one another in a list, at most [`TOGETHER`].
@@ -17,8 +19,12 @@ pub(super) struct Turn {
 
 /// Arranges a list that consists of `parts`, none of which has a neighbour in another one: first the first vertices of all
 /// parts, then the second ones, and so on.
-pub(super) fn side_by_side(around: &Surroundings<'_>, vertices: &mut [u32], parts: &[Range<usize>]) -> Vec<Turn> {
-    let (apart, mut turns, mut left) = (vertices.to_vec(), Vec::new(), vertices);
+pub(super) fn side_by_side(
+    around: &Surroundings<'_>,
+    vertices: &mut [u32],
+    parts: &[Range<usize>],
+) -> Result<Vec<Turn>, Error> {
+    let (apart, mut turns, mut left) = (memory::copied(vertices)?, Vec::new(), vertices);
     let start = parts.first().map_or(0, |part| part.start);
     for nth in 0.. {
         let members = parts.iter().filter(|part| nth < part.len()).map(|part| apart[part.start - start + nth]);
@@ -30,7 +36,7 @@ pub(super) fn side_by_side(around: &Surroundings<'_>, vertices: &mut [u32], part
         turns.push(arrange(around, turn));
         left = others;
     }
-    turns
+    Ok(turns)
 }
 
 /// Arranges a list of vertices no two of which are neighbours.
