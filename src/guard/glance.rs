@@ -1,10 +1,10 @@
 //! Steps that the guard admits without a look at the original triangles, which are most of all.
 
-use super::{Leash, Scene};
-use crate::star::{Arm, Cones, Number, Vectors, Witness};
+use super::{Leash, Scene, least_shape};
+use crate::star::{Arm, Cones, LocalStars, Number, Vectors, Witness};
 
 /// Which of the centres may plainly move by `step`, as bits: [`Guard::admits`](super::Guard::admits) would say the same of them,
-/// at greater cost. Of the others it must be asked.
+/// at greater cost. Of the others it must be asked. Only those in `open` matter.
 #[inline(always)]
 pub(crate) fn glance<N: Number>(
     token: N::Token,
@@ -12,33 +12,50 @@ pub(crate) fn glance<N: Number>(
     cones: &Cones,
     leash: impl Fn(u32) -> Leash,
     floor: f64,
-    step: Vectors<N>,
+    (step, open): (Vectors<N>, u64),
 ) -> u64 {
     let (stars, cones) = (scene.stars, cones.of::<N>(token, &scene.vertices));
-    let reach = (squared_leashes::<N>(token, &scene.vertices, leash) * cones.size).root();
-    let (floor, mut countdown) = (N::splat(token, floor * floor), stars.countdown(token));
-    let mut kept = cones.is_near(token, stars.drift(token).plus(step), reach);
+    let [planes, place] = squared_leashes::<N>(token, &scene.vertices, leash).map(|square| square * cones.size);
+    let (goal, floor) = (stars.drift(token).plus(step), N::splat(token, floor * floor));
+    let mut kept = cones.is_near(token, goal, planes.root()) & goal.square().at_most(place);
+    let (mut good, mut countdown) = (kept, stars.countdown(token));
     let mut a = Arm::new(stars.spokes()[0].place(token).minus(step));
     for spoke in &stars.spokes()[1..] {
         let b = Arm::new(spoke.place(token).minus(step));
-        let after = Witness::new(a, b);
-        let keeps = after.reaches(token, floor) & cones.agree(token, &after);
-        kept = kept & ((keeps & !after.opposes(token, scene.areas[0])) | !countdown.next());
+        let (after, absent) = (Witness::new(a, b), !countdown.next());
+        kept = kept & ((cones.agree(token, &after) & !after.opposes(token, scene.areas[0])) | absent);
+        good = good & (after.reaches(token, floor) | absent);
         a = b;
     }
-    N::bits(kept)
+    if open & N::bits(kept & !good) == 0 {
+        return N::bits(kept & good);
+    }
+    N::bits(kept & (good | reach(token, stars, step, least_shape(token, stars, floor))))
 }
 
-/// How far vertices may go from their original planes, squared, in units of their stars' sizes; not a number where more than
-/// the planes binds one.
+/// Where no squared shape is below `bar` after a step.
 #[inline(always)]
-fn squared_leashes<N: Number>(token: N::Token, vertices: &N::Vertices, leash: impl Fn(u32) -> Leash) -> N {
-    let mut squares = N::Row::default();
-    for (square, &v) in squares.as_mut().iter_mut().zip(vertices.as_ref()) {
-        let Leash { planes, place } = leash(v);
-        *square = if place < f64::INFINITY { f64::NAN } else { planes * planes };
+fn reach<N: Number>(token: N::Token, stars: &LocalStars<N>, step: Vectors<N>, bar: N) -> N::Truth {
+    let (mut good, mut countdown) = (bar.equals(bar), stars.countdown(token));
+    let mut a = Arm::new(stars.spokes()[0].place(token).minus(step));
+    for spoke in &stars.spokes()[1..] {
+        let b = Arm::new(spoke.place(token).minus(step));
+        good = good & (Witness::new(a, b).reaches(token, bar) | !countdown.next());
+        a = b;
     }
-    N::load(token, &squares)
+    good
+}
+
+/// How far vertices may go from their original planes and places, squared, in units of their stars' sizes.
+#[inline(always)]
+fn squared_leashes<N: Number>(token: N::Token, vertices: &N::Vertices, leash: impl Fn(u32) -> Leash) -> [N; 2] {
+    let mut squares = [N::Row::default(); 2];
+    for (star, &v) in vertices.as_ref().iter().enumerate() {
+        let Leash { planes, place } = leash(v);
+        squares[0].as_mut()[star] = planes * planes;
+        squares[1].as_mut()[star] = place * place;
+    }
+    squares.map(|row| N::load(token, &row))
 }
 
 #[cfg(test)]
@@ -79,7 +96,7 @@ mod tests {
         let (step, mut guard) = ((step / mesh.unit).into(), Guard::<f64>::new(FLOOR));
         guard.look((), &scene, |_| leash);
         Said {
-            glance: glance((), &scene, &cones, |_| leash, FLOOR, step) == 1,
+            glance: glance((), &scene, &cones, |_| leash, FLOOR, (step, 1)) == 1,
             guard: guard.admits((), &scene, step, 1) == 1,
         }
     }
@@ -112,9 +129,20 @@ mod tests {
     }
 
     #[test]
-    fn where_the_place_binds_the_guard_is_asked() {
-        let found = said(&tent(0.0), &[DVec3::ZERO; 7], DVec3::X * 0.01, Leash { place: 0.2, ..PLANES });
-        assert_eq!(found, Said { glance: false, guard: true });
+    fn the_place_binds() {
+        let leash = Leash { place: 0.2, ..PLANES };
+        let found = |step: f64| said(&tent(0.0), &[DVec3::ZERO; 7], DVec3::X * step, leash);
+        assert_eq!(found(0.19), Said { glance: true, guard: true });
+        assert_eq!(found(0.21), Said { glance: false, guard: false });
+    }
+
+    #[test]
+    fn a_bad_star_may_get_better_and_not_worse() {
+        let mut drift = [DVec3::ZERO; 7];
+        drift[0] = DVec3::X * 0.7;
+        let found = |step: f64| said(&tent(0.0), &drift, DVec3::X * step, PLANES);
+        assert_eq!(found(-0.1), Said { glance: true, guard: true });
+        assert_eq!(found(0.02), Said { glance: false, guard: false });
     }
 
     #[test]

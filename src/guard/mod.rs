@@ -112,22 +112,8 @@ impl<N: Number> Guard<N> {
         if let Some(bar) = &self.bar {
             return N::load(token, bar);
         }
-        let bar = self.least_shape(token, scene);
+        let bar = least_shape(token, scene.stars, N::splat(token, self.floor));
         self.bar = Some(bar.row());
-        bar
-    }
-
-    #[inline(always)]
-    fn least_shape(&self, token: N::Token, scene: &Scene<'_, N>) -> N {
-        let (stars, mut bar) = (scene.stars, N::splat(token, self.floor));
-        let mut countdown = stars.countdown(token);
-        let mut a = Arm::new(stars.spokes()[0].place(token));
-        for spoke in &stars.spokes()[1..] {
-            let b = Arm::new(spoke.place(token));
-            let shape = Witness::new(a, b).squared_shape(token);
-            bar = N::choose(countdown.next(), shape.lesser(bar), bar);
-            a = b;
-        }
         bar
     }
 
@@ -157,4 +143,18 @@ impl<N: Number> Guard<N> {
         }
         kept
     }
+}
+
+/// The least squared shapes in stars, or `most` if that is less.
+#[inline(always)]
+fn least_shape<N: Number>(token: N::Token, stars: &LocalStars<N>, most: N) -> N {
+    let (mut least, mut countdown) = (most, stars.countdown(token));
+    let mut a = Arm::new(stars.spokes()[0].place(token));
+    for spoke in &stars.spokes()[1..] {
+        let b = Arm::new(spoke.place(token));
+        let shape = Witness::new(a, b).squared_shape(token);
+        least = N::choose(countdown.next(), shape.lesser(least), least);
+        a = b;
+    }
+    least
 }

@@ -61,10 +61,11 @@ impl<N: Number> End<'_, N> {
         let exact = Vectors::<N>::load(token, &places).minus(centres);
         let settled = open & N::bits(exact.is_zero(token));
         self.note(settled, Outcome::Settled);
-        let admitted = open & !settled & self.glance(token, cones, exact);
+        let open = open & !settled;
+        let admitted = open & self.glance(token, cones, (exact, open));
         let moved = admitted & !self.too_far(admitted, &places);
         self.go(moved, &places);
-        open & !settled & !moved
+        open & !moved
     }
 
     /// Carries out as much of each step of the stars `open` as guard and deviation bound admit: all, half of it, a quarter,
@@ -96,7 +97,7 @@ impl<N: Number> End<'_, N> {
     }
 
     #[inline(always)]
-    fn glance(&self, token: N::Token, cones: &Cones, step: Vectors<N>) -> u64 {
+    fn glance(&self, token: N::Token, cones: &Cones, step: (Vectors<N>, u64)) -> u64 {
         glance(token, self.scene, cones, |v| self.around.leash(v), self.around.floor, step)
     }
 
