@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use super::form::{Apex, Form};
 use super::local::LocalStar;
 use super::model::Model;
-use super::operation::Sample;
 use super::plane::TangentPlane;
+use super::sample::Sample;
 
 /// The projected triangles of a star, and what the model makes of them. Reused from star to star.
 #[derive(Default)]

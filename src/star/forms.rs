@@ -3,7 +3,7 @@
 use super::form::Proportions;
 use super::model::{FEW, Model};
 use super::number::Number;
-use super::operation::Sample;
+use super::sample::Sample;
 
 /// What form each triangle is to have.
 pub(super) trait Forms<N: Number> {

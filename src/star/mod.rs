@@ -12,6 +12,7 @@ mod number;
 mod operation;
 mod plane;
 mod ring;
+mod sample;
 mod sizes;
 mod vectors;
 mod witness;

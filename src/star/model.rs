@@ -2,7 +2,7 @@
 
 use super::local::Countdown;
 use super::number::Number;
-use super::operation::Sample;
+use super::sample::Sample;
 use crate::options::Options;
 
 /// Largest star whose logarithms are tabulated, and whose ranks are counted one by one.

@@ -3,13 +3,14 @@
 use glam::DVec3;
 
 use super::fan::Fan;
-use super::form::{Flat, Form};
+use super::form::Form;
 use super::forms::{Apart, ByInterval, Forms};
 use super::local::{LocalStar, LocalStars};
 use super::model::Model;
 use super::number::Number;
 use super::plane::{self, TangentPlanes};
 use super::ring;
+use super::sample::Sample;
 use super::sizes::{self, Sizes};
 use super::vectors::{Points, Vectors, set_vector, vector};
 use crate::options::{Ideal, Method, Metric, Options, Plane};
@@ -49,18 +50,6 @@ impl Kind {
     }
 }
 
-/// A triangle of each star while the operation is at work.
-pub(super) struct Sample<N: Number> {
-    /// The projected triangle.
-    pub flat: Flat<N>,
-    /// Its sampled value a.
-    pub value: N::Row,
-    /// The number of the interval that holds it.
-    pub interval: N::Row,
-    /// How many samples formula (3) counts for it, then what formula (4) multiplies with √D.
-    pub rank: N::Row,
-}
-
 /// Working memory of the operation.
 pub(crate) struct Draft<N: Number> {
     /// As many triangles as the largest star so far has had.
@@ -68,13 +57,6 @@ pub(crate) struct Draft<N: Number> {
     /// For what is done star by star.
     alone: LocalStar,
     fan: Fan,
-}
-
-impl<N: Number> Default for Sample<N> {
-    fn default() -> Self {
-        let row = N::Row::default();
-        Self { flat: Flat::default(), value: row, interval: row, rank: row }
-    }
 }
 
 impl<N: Number> Default for Draft<N> {

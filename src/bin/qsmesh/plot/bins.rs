@@ -2,7 +2,7 @@
 
 use qsmesh::{Distribution, Measurement, Parameter};
 
-use super::picture::State;
+use super::state::State;
 use crate::failure::{Failure, Result};
 use crate::files::Positions;
 

@@ -6,6 +6,8 @@ mod format;
 mod look;
 mod panel;
 mod picture;
+mod state;
 
 pub use self::file::{Plot, PlotFile};
-pub use self::picture::{Picture, State};
+pub use self::picture::Picture;
+pub use self::state::State;

@@ -13,7 +13,7 @@ use qsmesh::{Distribution, Parameter};
 
 use super::bins::{Bins, Scale};
 use super::look::{LEGEND, LINE, Look};
-use super::picture::State;
+use super::state::State;
 use crate::failure::Result;
 
 /// Height of the type of labels and of headings.

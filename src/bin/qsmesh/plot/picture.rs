@@ -3,27 +3,17 @@
 use plotters::coord::Shift;
 use plotters::prelude::{BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
 use plotters::style::WHITE;
-use qsmesh::Measurement;
 
 use super::bins::Scale;
 use super::look::{Look, SIZE, TITLE};
 use super::panel::Panel;
+use super::state::State;
 use crate::failure::{Failure, Result};
-use crate::files::Positions;
 
 /// Pixels a unit in PNG: enough for print in a column.
 const PNG_SCALE: u32 = 2;
 /// More of a title would not fit.
 const TITLE_LENGTH: usize = 100;
-
-/// A mesh as it was or is.
-pub struct State<'a> {
-    /// What it is called in the legend.
-    pub name: &'static str,
-    pub positions: &'a Positions,
-    pub triangles: &'a [[u32; 3]],
-    pub measurement: &'a Measurement,
-}
 
 /// What is drawn.
 pub struct Picture<'a> {
