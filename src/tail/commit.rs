@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::live::Live;
+use super::live::{Live, Origin};
 use super::patch::{Patch, Piece, Shape};
 use super::topology::{fresh, slots_taken_out};
 
@@ -11,8 +11,7 @@ struct Former {
     slot: u32,
     corners: [u32; 3],
     middle: DVec3,
-    triangle_source: u32,
-    corner_source: [u32; 3],
+    origin: Origin,
 }
 
 /// Replaces the patch by `shape`. Returns the slots of its triangles that are new, have a moved corner, or have a corner in
@@ -30,9 +29,7 @@ pub(super) fn commit(live: &mut Live<'_>, patch: &Patch, shape: &Shape) -> Vec<u
         let Some(heir) = Heir::of(live.input, &former, corners, middle) else { continue };
         let own = free.iter().position(|&s| s == heir.slot).unwrap_or(0);
         let slot = free.remove(own);
-        live.triangle_source[slot as usize] = heir.triangle_source;
-        live.corner_source[slot as usize] = heir.corner_source;
-        live.put_in(slot, heir.corners);
+        live.put_in(slot, heir.corners, heir.origin);
         near.push(slot);
     }
     for (&v, &position) in patch.vertices.iter().zip(&shape.positions) {
@@ -50,14 +47,13 @@ impl Former {
             slot,
             corners: live.triangles[slot as usize],
             middle: live.corners(slot).iter().sum::<DVec3>() / 3.0,
-            triangle_source: live.triangle_source[slot as usize],
-            corner_source: live.corner_source[slot as usize],
+            origin: live.origin(slot),
         }
     }
 
     /// Source of the corner at `v`, if the triangle has it.
     fn corner_at(&self, v: u32) -> Option<u32> {
-        self.corners.iter().position(|&c| c == v).map(|k| self.corner_source[k])
+        self.corners.iter().position(|&c| c == v).map(|k| self.origin.corners[k])
     }
 }
 
@@ -66,8 +62,7 @@ struct Heir {
     /// Slot of the triangle that it takes after.
     slot: u32,
     corners: [u32; 3],
-    triangle_source: u32,
-    corner_source: [u32; 3],
+    origin: Origin,
 }
 
 impl Heir {
@@ -75,17 +70,16 @@ impl Heir {
     /// most corners in common, among them the nearest.
     fn of(input: &[[u32; 3]], former: &[Former], corners: [u32; 3], middle: DVec3) -> Option<Self> {
         let [a, b, c] = corners;
-        let is_back = |f: &&Former| [[a, b, c], [b, c, a], [c, a, b]].contains(&input[f.triangle_source as usize]);
-        if let Some(&Former { slot, triangle_source: t, .. }) = former.iter().find(is_back) {
-            let corner_source = [3 * t, 3 * t + 1, 3 * t + 2];
-            return Some(Self { slot, corners: input[t as usize], triangle_source: t, corner_source });
+        let is_back = |f: &&Former| [[a, b, c], [b, c, a], [c, a, b]].contains(&input[f.origin.triangle as usize]);
+        if let Some(&Former { slot, origin: Origin { triangle, .. }, .. }) = former.iter().find(is_back) {
+            return Some(Self { slot, corners: input[triangle as usize], origin: Origin::own(triangle) });
         }
         let foreign = |f: &Former| corners.iter().filter(|v| !f.corners.contains(v)).count();
         let distance = |f: &Former| f.middle.distance_squared(middle);
         let nearer = |f: &&Former, g: &&Former| distance(f).total_cmp(&distance(g));
         let source = former.iter().min_by(|f, g| foreign(f).cmp(&foreign(g)).then(nearer(f, g)))?;
-        let corner_source = corners.map(|v| corner_source(former, source, v));
-        Some(Self { slot: source.slot, corners, triangle_source: source.triangle_source, corner_source })
+        let origin = Origin { corners: corners.map(|v| corner_source(former, source, v)), ..source.origin };
+        Some(Self { slot: source.slot, corners, origin })
     }
 }
 
@@ -93,8 +87,8 @@ impl Heir {
 /// corners of a vertex in a cavity lie on the same side of features.
 fn corner_source(former: &[Former], source: &Former, v: u32) -> u32 {
     let all = || former.iter().filter_map(|f| f.corner_at(v));
-    let native = all().find(|corner| corner / 3 == source.triangle_source);
-    native.or_else(|| source.corner_at(v)).or_else(|| all().next()).unwrap_or(source.corner_source[0])
+    let native = all().find(|corner| corner / 3 == source.origin.triangle);
+    native.or_else(|| source.corner_at(v)).or_else(|| all().next()).unwrap_or(source.origin.corners[0])
 }
 
 /// Corners of the triangles that are new or gone or have a moved corner, as numbers within the patch, rising.

@@ -10,7 +10,7 @@ pub(super) fn tails<'a>(
     limits: &'a Limits,
     mask: &'a [bool],
 ) -> impl Iterator<Item = (u32, f64)> + 'a {
-    let asked = |slot: u32| mask.get(live.triangle_source[slot as usize] as usize).copied().unwrap_or(true);
+    let asked = |slot: u32| mask.get(live.origin(slot).triangle as usize).copied().unwrap_or(true);
     let suspect = |slot: &u32| {
         let corners = &live.triangles[*slot as usize];
         *corners != GONE && (repeats_a_vertex(corners) || !limits.is_clearly_fine(live.corners(*slot)))

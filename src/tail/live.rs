@@ -11,16 +11,30 @@ use crate::mesh::{Mesh, repeats_a_vertex};
 /// In the place of a triangle that is no longer there.
 pub(super) const GONE: [u32; 3] = [u32::MAX; 3];
 
+/// Where a triangle comes from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Origin {
+    /// Input triangle.
+    pub triangle: u32,
+    /// Input corners.
+    pub corners: [u32; 3],
+}
+
+impl Origin {
+    /// Of an input triangle itself.
+    pub fn own(triangle: u32) -> Self {
+        Self { triangle, corners: [0, 1, 2].map(|k| 3 * triangle + k) }
+    }
+}
+
 /// The mesh as it is now. Triangles keep their slots; a slot that is given up holds [`GONE`].
 pub(super) struct Live<'a> {
     /// The triangles as they came in.
     pub input: &'a [[u32; 3]],
     pub positions: Vec<DVec3>,
     pub triangles: Vec<[u32; 3]>,
-    /// Input triangle of each slot.
-    pub triangle_source: Vec<u32>,
-    /// Input corner of each corner of each slot.
-    pub corner_source: Vec<[u32; 3]>,
+    /// Slots whose triangles have been taken out, each with the origin of the triangle that has been put in since.
+    renewed: BTreeMap<u32, Option<Origin>>,
     /// Vertices that are no longer there, in the order of their removal.
     pub removed: Vec<u32>,
     /// Vertices that stay because triangles that name a vertex twice have them as corners, rising.
@@ -34,17 +48,11 @@ pub(super) struct Live<'a> {
 impl<'a> Live<'a> {
     /// Takes up the triangles of `mesh` with these positions.
     pub fn new(mesh: &Mesh<'a>, positions: Vec<DVec3>) -> Result<Self, Error> {
-        let count = mesh.triangles.len();
-        let mut triangle_source = memory::reserved(count)?;
-        triangle_source.extend(0..count as u32);
-        let mut corner_source = memory::reserved(count)?;
-        corner_source.extend((0..count as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]));
         let (offsets, incident) = incidence(mesh.triangles, positions.len())?;
         Ok(Self {
             input: mesh.triangles,
             triangles: memory::copied(mesh.triangles)?,
-            triangle_source,
-            corner_source,
+            renewed: BTreeMap::new(),
             removed: memory::reserved(positions.len())?,
             bound: bound(mesh.triangles)?,
             offsets,
@@ -57,6 +65,28 @@ impl<'a> Live<'a> {
     /// Positions of the corners of a slot that is not given up.
     pub fn corners(&self, slot: u32) -> [DVec3; 3] {
         self.triangles[slot as usize].map(|v| self.positions[v as usize])
+    }
+
+    /// Where the triangle in a slot that is not given up comes from.
+    pub fn origin(&self, slot: u32) -> Origin {
+        self.renewed.get(&slot).copied().flatten().unwrap_or_else(|| Origin::own(slot))
+    }
+
+    /// Slots that hold another triangle than at first, with its origin; rising.
+    pub fn renewed(&self) -> impl Iterator<Item = (u32, Origin)> {
+        self.renewed.iter().filter_map(|(&slot, &origin)| Some((slot, origin?)))
+    }
+
+    /// Slots that are given up, rising.
+    pub fn gone(&self) -> Result<Vec<u32>, Error> {
+        memory::gathered(self.renewed.iter().filter(|(_, origin)| origin.is_none()).map(|(&slot, _)| slot))
+    }
+
+    /// How many slots hold their input triangle, or another one just as it was in the input.
+    pub fn unchanged_count(&self) -> usize {
+        let is_unchanged =
+            |(slot, origin): &(u32, Origin)| self.triangles[*slot as usize] == self.input[origin.triangle as usize];
+        self.triangles.len() - self.renewed.len() + self.renewed().filter(is_unchanged).count()
     }
 
     /// Slots of the triangles at a vertex; those that name a vertex twice are left out.
@@ -81,13 +111,15 @@ impl<'a> Live<'a> {
 
     /// Takes a triangle out of its slot.
     pub fn take_out(&mut self, slot: u32) {
+        self.renewed.insert(slot, None);
         for v in std::mem::replace(&mut self.triangles[slot as usize], GONE) {
             self.own_around(v).retain(|&s| s != slot);
         }
     }
 
     /// Puts a triangle into a free slot.
-    pub fn put_in(&mut self, slot: u32, corners: [u32; 3]) {
+    pub fn put_in(&mut self, slot: u32, corners: [u32; 3], origin: Origin) {
+        self.renewed.insert(slot, Some(origin));
         self.triangles[slot as usize] = corners;
         for v in corners {
             self.own_around(v).push(slot);

@@ -150,7 +150,7 @@ impl<'a> Queue<'a> {
             Operation::Remove(_) => report.removed += 1,
         }
         for slot in near {
-            let asked = self.options.mask.get(live.triangle_source[slot as usize] as usize).copied().unwrap_or(true);
+            let asked = self.options.mask.get(live.origin(slot).triangle as usize).copied().unwrap_or(true);
             match detect::excess(live, self.limits, slot) {
                 Some(excess) if excess > 1.0 && asked => {
                     self.attempts.entry(slot).or_insert(0);

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use glam::DVec3;
 
-use super::compact::Compact;
+use super::compact::{Compact, number};
 use super::delaunay::Flipper;
 use super::detect;
 use super::leftovers;
@@ -45,9 +45,9 @@ pub(crate) fn run(
     let clock = Instant::now();
     let limits = Limits::new(options);
     let mut live = Live::new(around.mesh, positions)?;
-    let mut report =
-        TailReport { tails_before: detect::tails(&live, &limits, options.mask).count(), ..TailReport::default() };
+    let mut report = TailReport::default();
     if options.flips {
+        report.tails_before = detect::tails(&live, &limits, options.mask).count();
         let mut flipper = Flipper::new(around, &limits, &live)?;
         flipper.run(&mut live, &mut |done| progress(FLIPS * done))?;
         report.general_flips = flipper.count;
@@ -55,21 +55,20 @@ pub(crate) fn run(
     let rest = &mut |done: f64| progress(if options.flips { FLIPS + (1.0 - FLIPS) * done } else { done });
     let mut surgeon = Surgeon::new(around, &limits);
     let mut queue = Queue::new(&live, &limits, options)?;
+    if !options.flips {
+        report.tails_before = queue.len();
+    }
     queue.run(&mut live, &mut surgeon, &mut report, rest)?;
 
-    let compact = Compact::new(&live)?;
-    let number = |slot: u32| compact.slots.partition_point(|&s| s < slot) as u32;
-    report.leftovers = leftovers::list(&live, &limits, &queue, number)?;
+    let gone = live.gone()?;
+    report.leftovers = leftovers::list(&live, &limits, &queue, |slot| number(&gone, slot))?;
     report.tails_after = report.leftovers.len();
     report.vertices_removed = live.removed.len();
-    report.triangles_removed = live.triangles.len() - compact.slots.len();
-    // A triangle that was taken out and came back may have found its own slot taken.
-    let is_unchanged =
-        |&s: &u32| live.triangles[s as usize] == around.mesh.triangles[live.triangle_source[s as usize] as usize];
-    let unchanged = compact.slots.iter().filter(|s| is_unchanged(s)).count();
-    let count = live.triangles.len();
+    report.triangles_removed = gone.len();
+    let (count, unchanged) = (live.triangles.len(), live.unchanged_count());
     report.triangles_unchanged = if count == 0 { 1.0 } else { unchanged as f64 / count as f64 };
+    let lost_height = queue.lost_height;
+    let Compact { positions, triangles, sources } = Compact::new(live, &gone)?;
     report.seconds = clock.elapsed().as_secs_f64();
-    let Compact { triangles, sources, .. } = compact;
-    Ok(Outcome { positions: live.positions, triangles, sources, report, lost_height: queue.lost_height })
+    Ok(Outcome { positions, triangles, sources, report, lost_height })
 }
