@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
-use crate::mesh::{Coordinate, Vertices, repeats_a_vertex};
+use crate::mesh::{Coordinate, Vertices};
 use crate::options::{Constraints, Options, Order};
 use crate::preparation::{Preparation, check_constraints};
 use crate::progress::{self, Progress};
@@ -113,13 +113,10 @@ fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: T
     let parts = threads.parts(new.len(), |part| count_part(around, new, outcomes, part));
     let (moved, kept) =
         parts.into_iter().fold((0, Kept::default()), |(moved, kept), part| (moved + part.0, kept + part.1));
-    let skipped = threads.parts(around.mesh.triangles.len(), |part| {
-        around.mesh.triangles[part].iter().filter(|t| repeats_a_vertex(t)).count()
-    });
     Report {
         moved,
         kept,
-        skipped_triangles: skipped.into_iter().sum(),
+        skipped_triangles: around.mesh.triangles.len() - around.stars.triangle_count(),
         feature_edges: around.features.edge_count,
         moves_halved: tally.halved,
         moves_refused: tally.refused,

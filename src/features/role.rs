@@ -34,6 +34,9 @@ pub(crate) enum Role {
 }
 
 impl Role {
+    /// How many roles there are.
+    pub const COUNT: usize = Self::Corner as usize + 1;
+
     /// Whether a vertex of this role moves in its tangent plane.
     pub fn moves_in_plane(self) -> bool {
         matches!(self, Self::Free | Self::Doubtful)
@@ -78,7 +81,7 @@ impl Features {
                 *role = judge.role(v as u32, locked);
             }
         });
-        let edge_count = slots.edge_count(stars);
+        let edge_count = slots.edge_count();
         Ok(Self { roles, slots, edge_count })
     }
 

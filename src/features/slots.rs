@@ -7,12 +7,14 @@ use crate::mesh::Stars;
 /// A set of edges inside the surface, as one bit for each ring slot.
 pub(crate) struct SlotSet {
     bits: Vec<u64>,
+    /// How many edges there are.
+    edges: usize,
 }
 
 impl SlotSet {
     /// The empty set.
     pub fn new(stars: &Stars) -> Result<Self, Error> {
-        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 1)? })
+        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 1)?, edges: 0 })
     }
 
     fn contains(&self, slot: usize) -> bool {
@@ -45,15 +47,19 @@ impl SlotSet {
 
     /// Puts the edge a–b into the set, as seen from both ends; boundary edges and pairs that are no edge are left out.
     pub fn insert_edge(&mut self, stars: &Stars, a: u32, b: u32) {
-        self.insert_half(stars, a, b);
-        self.insert_half(stars, b, a);
+        let is_new = self.insert_half(stars, a, b) | self.insert_half(stars, b, a);
+        self.edges += usize::from(is_new);
     }
 
-    fn insert_half(&mut self, stars: &Stars, v: u32, r: u32) {
-        if let Some(i) = stars.inner_neighbour(v, r) {
-            let slot = stars.ring_slots(v).start + i;
-            self.bits[slot / 64] |= 1 << (slot % 64);
-        }
+    /// Returns whether the edge, as seen from `v`, was not in the set.
+    fn insert_half(&mut self, stars: &Stars, v: u32, r: u32) -> bool {
+        let Some(i) = stars.inner_neighbour(v, r) else {
+            return false;
+        };
+        let slot = stars.ring_slots(v).start + i;
+        let is_new = !self.contains(slot);
+        self.bits[slot / 64] |= 1 << (slot % 64);
+        is_new
     }
 
     /// Whether the edge a–b is in the set. Both ends know, unless one has no ring; the shorter ring is asked.
@@ -65,13 +71,7 @@ impl SlotSet {
     }
 
     /// Edges in the set.
-    pub fn edge_count(&self, stars: &Stars) -> usize {
-        let seen = |v: u32| {
-            self.of(stars, v).filter(move |&i| {
-                let r = stars.ring(v)[i];
-                v < r || stars.inner_neighbour(r, v).is_none()
-            })
-        };
-        (0..stars.len() as u32).map(|v| seen(v).count()).sum()
+    pub fn edge_count(&self) -> usize {
+        self.edges
     }
 }

@@ -18,12 +18,13 @@ pub(crate) fn glance<N: Number>(
     let [planes, place] = squared_leashes::<N>(token, &scene.vertices, leash).map(|square| square * cones.size);
     let (goal, floor) = (stars.drift(token).plus(step), N::splat(token, floor * floor));
     let mut kept = cones.is_near(token, goal, planes.root()) & goal.square().at_most(place);
+    kept = kept & cones.lead(token, scene.areas[0]);
     let (mut good, mut countdown) = (kept, stars.countdown(token));
     let mut a = Arm::new(stars.spokes()[0].place(token).minus(step));
     for spoke in &stars.spokes()[1..] {
         let b = Arm::new(spoke.place(token).minus(step));
         let (after, absent) = (Witness::new(a, b), !countdown.next());
-        kept = kept & ((cones.agree(token, &after) & !after.opposes(token, scene.areas[0])) | absent);
+        kept = kept & (cones.agree(token, &after) | absent);
         good = good & (after.reaches(token, floor) | absent);
         a = b;
     }

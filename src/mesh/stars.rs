@@ -117,6 +117,19 @@ impl Stars {
         }
     }
 
+    /// The same for a star that is known to be closed or open, which need not be asked.
+    #[inline(always)]
+    pub fn rim_of_disc(&self, v: u32) -> &[u32] {
+        &self.slots[self.offsets[v as usize] as usize..self.offsets[v as usize + 1] as usize]
+    }
+
+    /// How many triangles meet in `v`, if they make a disc.
+    #[inline(always)]
+    pub fn valence(&self, v: u32) -> Option<usize> {
+        let slots = self.offsets[v as usize + 1] - self.offsets[v as usize];
+        matches!(self.kind(v), StarKind::Open | StarKind::Closed).then(|| slots as usize - 1)
+    }
+
     /// Where the ring of `v` lies in the array of all slots.
     pub fn ring_slots(&self, v: u32) -> std::ops::Range<usize> {
         let start = self.offsets[v as usize] as usize;
@@ -172,6 +185,11 @@ impl Stars {
         let [a, b, c] = mesh.corners(&triangle);
         let normal = (b - a).cross(c - a);
         triangle.iter().all(|&v| self.double_area(mesh, v).dot(normal) < 0.0)
+    }
+
+    /// How many triangles are in stars: all that name three vertices.
+    pub fn triangle_count(&self) -> usize {
+        (self.slots.len() - self.len()) / 3
     }
 
     /// Number of slots, for arrays that run beside them.

@@ -87,6 +87,11 @@ fn check_counts(vertices: usize, triangles: usize) -> Result<(), Error> {
 }
 
 fn check_indices(triangles: &[[u32; 3]], part: Range<usize>, vertex_count: usize) -> Result<(), Error> {
+    let largest = triangles[part.clone()].as_flattened().iter().fold(0, |largest, &index| largest.max(index));
+    if (largest as usize) < vertex_count {
+        return Ok(());
+    }
+    // Only now does it matter which it was.
     for triangle in part {
         for index in triangles[triangle] {
             if index as usize >= vertex_count {
@@ -105,7 +110,8 @@ fn largest_coordinate<T: Coordinate>(
     for vertex in part {
         let position = positions.get(vertex);
         let size = position.iter().fold(0.0_f64, |m, x| m + x.to_f64().abs());
-        if !position.iter().all(|x| x.to_f64().is_finite()) {
+        // A sum may be too large of coordinates that are not.
+        if !size.is_finite() && !position.iter().all(|x| x.to_f64().is_finite()) {
             return Err(Error::NonFinite { vertex });
         }
         largest = largest.max(size.min(f64::MAX));

@@ -28,8 +28,8 @@ impl Companions {
         let (mut found, mut valences, mut total) = ([0; TOGETHER], [0; TOGETHER], 0);
         let mut ends = [0; COMPANIONABLE + 3];
         for v in vertices {
-            let valence = stars.rim(v).len().wrapping_sub(1);
-            let valence = if valence <= COMPANIONABLE && wanted(v) { valence } else { COMPANIONABLE + 1 };
+            let valence = stars.valence(v).filter(|&valence| valence <= COMPANIONABLE && wanted(v));
+            let valence = valence.unwrap_or(COMPANIONABLE + 1);
             (found[total], valences[total]) = (v, valence as u8);
             ends[valence + 1] += 1;
             total += 1;

@@ -116,6 +116,15 @@ impl<N: Number> ConesOf<N> {
         zero.at_most(slack) & (self.spread * aside).at_most(slack * slack)
     }
 
+    /// Where no triangle that [`agree`](Self::agree)s opposes the direction `outward`: the angles of both to the axis are less than
+    /// 90° together.
+    #[inline(always)]
+    pub fn lead(&self, token: N::Token, outward: Vectors<N>) -> N::Truth {
+        let along = outward.dot(self.axis);
+        let bound = (N::splat(token, 1.0 + MARGIN) - self.turn) * outward.square();
+        N::splat(token, 0.0).below(along) & bound.below(along * along)
+    }
+
     /// Where triangles have turned by less than allowed from every original one.
     #[inline(always)]
     pub fn agree(&self, token: N::Token, now: &Witness<N>) -> N::Truth {

@@ -37,11 +37,11 @@ impl<N: Number> ByInterval<N> {
     pub fn new(token: N::Token, model: &Model, samples: &[Sample<N>], valences: N, deviation: N) -> Self {
         let mut ranks = [N::Row::default(); FEW];
         let count = model.rank_intervals(token, samples, valences, &mut ranks);
-        let mut forms = [proportions(token, &ranks[0], deviation); FEW];
-        for (form, rank) in forms.iter_mut().zip(&ranks).take(count).skip(1) {
+        let mut forms = Self { forms: [proportions(token, &ranks[0], deviation); FEW], count };
+        for (form, rank) in forms.forms[1..count].iter_mut().zip(&ranks[1..count]) {
             *form = proportions(token, rank, deviation);
         }
-        Self { forms, count }
+        forms
     }
 }
 
@@ -49,8 +49,10 @@ impl<N: Number> Forms<N> for ByInterval<N> {
     #[inline(always)]
     fn of(&self, token: N::Token, sample: &Sample<N>) -> Proportions<N> {
         let (interval, mut form) = (N::load(token, &sample.interval), self.forms[0]);
-        for (below, other) in self.forms[..self.count].iter().enumerate().skip(1) {
-            form = Proportions::choose(N::splat(token, below as f64).below(interval), *other, form);
+        let (one, mut number) = (N::splat(token, 1.0), N::splat(token, 1.0));
+        for other in &self.forms[1..self.count] {
+            form = Proportions::choose(number.below(interval), *other, form);
+            number = number + one;
         }
         form
     }

@@ -19,6 +19,8 @@ pub(crate) struct LocalStars<N: Number> {
     centres: [N::Row; 3],
     /// Where the centres are in the original mesh.
     origins: [N::Row; 3],
+    /// Twice the vector areas of the sectors.
+    areas: [[N::Row; 3]; 2],
     /// Numbers of triangles.
     valences: N::Row,
     /// Number of triangles of the largest star.
@@ -108,6 +110,7 @@ impl<N: Number> Default for LocalStars<N> {
             numbers: N::Vertices::default(),
             centres: vectors,
             origins: vectors,
+            areas: [vectors; 2],
             valences: row,
             longest: 0,
             split: usize::MAX,
@@ -121,9 +124,12 @@ impl<N: Number> LocalStars<N> {
     #[inline(always)]
     pub fn take(&mut self, token: N::Token, stars: &Stars, site: impl Fn(u32) -> Site, vertices: &N::Vertices) {
         let rims = self.rims(stars, vertices);
-        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+        for star in 0..N::STARS {
             self.set_centre(star, site(vertices.as_ref()[star]));
-            self.set_rim(rim, |spoke, r| spoke.set(star, site(r)));
+        }
+        let spokes = &mut self.spokes[..=self.longest];
+        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+            set_rim(spokes, rim, |spoke, r| spoke.set(star, site(r)));
         }
         self.center(token);
     }
@@ -140,10 +146,13 @@ impl<N: Number> LocalStars<N> {
         vertices: &N::Vertices,
     ) {
         let rims = self.rims(stars, vertices);
-        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+        for star in 0..N::STARS {
             let vertex = vertices.as_ref()[star];
             self.set_centre(star, Site { vertex, place: place(vertex), origin: origin(vertex) });
-            self.set_rim(rim, |spoke, r| set_vector(&mut spoke.place, star, place(r)));
+        }
+        let spokes = &mut self.spokes[..=self.longest];
+        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
+            set_rim(spokes, rim, |spoke, r| set_vector(&mut spoke.place, star, place(r)));
         }
         self.center(token);
     }
@@ -151,13 +160,14 @@ impl<N: Number> LocalStars<N> {
     /// The rims of stars, for which room is made.
     #[inline(always)]
     fn rims<'a>(&mut self, stars: &'a Stars, vertices: &N::Vertices) -> [&'a [u32]; MOST] {
-        let mut rims: [&[u32]; MOST] = [&[]; MOST];
-        (self.longest, self.split) = (0, usize::MAX);
+        let (mut rims, mut longest) = ([&[][..]; MOST], 0);
         for (star, rim) in rims.iter_mut().enumerate().take(N::STARS) {
-            *rim = stars.rim(vertices.as_ref()[star]);
-            self.valences.as_mut()[star] = (rim.len() - 1) as f64;
-            self.longest = self.longest.max(rim.len() - 1);
+            *rim = stars.rim_of_disc(vertices.as_ref()[star]);
+            let valence = rim.len() as u32 - 1;
+            self.valences.as_mut()[star] = f64::from(valence);
+            longest = longest.max(valence);
         }
+        (self.longest, self.split) = (longest as usize, usize::MAX);
         self.make_room();
         rims
     }
@@ -176,25 +186,24 @@ impl<N: Number> LocalStars<N> {
         set_vector(&mut self.origins, star, site.origin);
     }
 
-    /// Writes a rim into the spokes. The loop is as long for each star, so that its end is foreseen.
-    #[inline(always)]
-    fn set_rim(&mut self, rim: &[u32], set: impl Fn(&mut Spoke<N>, u32)) {
-        let (own, beyond) = self.spokes[..=self.longest].split_at_mut(rim.len());
-        for (spoke, &r) in own.iter_mut().zip(rim) {
-            set(spoke, r);
-        }
-        let end = rim[rim.len() - 1];
-        for spoke in beyond {
-            set(spoke, end);
-        }
-    }
-
-    /// Makes all places relative to the centres.
+    /// Makes all places relative to the centres, and sums up the vector areas.
     #[inline(always)]
     fn center(&mut self, token: N::Token) {
-        let centres = self.centres(token);
-        for spoke in &mut self.spokes[..=self.longest] {
-            spoke.place(token).minus(centres).store(&mut spoke.place);
+        let (centres, split) = (self.centres(token), self.split);
+        let mut areas = [Vectors::zero(token); 2];
+        let (first, others) = self.spokes[..=self.longest].split_at_mut(1);
+        let mut a = first[0].place(token).minus(centres);
+        a.store(&mut first[0].place);
+        for (i, spoke) in others.iter_mut().enumerate() {
+            let b = spoke.place(token).minus(centres);
+            b.store(&mut spoke.place);
+            let area = &mut areas[sector::<N>(split, i)];
+            *area = area.plus(a.cross(b));
+            a = b;
+        }
+        areas[0].store(&mut self.areas[0]);
+        if N::STARS == 1 {
+            areas[1].store(&mut self.areas[1]);
         }
     }
 
@@ -230,13 +239,13 @@ impl<N: Number> LocalStars<N> {
     /// The sector of triangle number `i`.
     #[inline(always)]
     pub fn sector(&self, i: usize) -> usize {
-        usize::from(i >= self.split)
+        sector::<N>(self.split, i)
     }
 
     /// Whether a crease divides the star into two sectors.
     #[inline(always)]
     pub fn is_crease(&self) -> bool {
-        self.split < self.longest
+        N::STARS == 1 && self.split < self.longest
     }
 
     /// Positions of the centres.
@@ -271,15 +280,8 @@ impl<N: Number> LocalStars<N> {
     /// Twice the vector areas of the two sectors; the second ones are zero where there is no crease.
     #[inline(always)]
     pub fn areas(&self, token: N::Token) -> [Vectors<N>; 2] {
-        let mut areas = [Vectors::zero(token); 2];
-        let mut a = self.spokes[0].place(token);
-        for (i, spoke) in self.spokes()[1..].iter().enumerate() {
-            let b = spoke.place(token);
-            let area = &mut areas[self.sector(i)];
-            *area = area.plus(a.cross(b));
-            a = b;
-        }
-        areas
+        let first = Vectors::load(token, &self.areas[0]);
+        [first, if N::STARS == 1 { Vectors::load(token, &self.areas[1]) } else { Vectors::zero(token) }]
     }
 
     /// Copies one star out.
@@ -287,6 +289,9 @@ impl<N: Number> LocalStars<N> {
         alone.valences = [self.valences.as_ref()[star]];
         (alone.longest, alone.split) = (self.valence_of(star), self.split);
         alone.make_room();
+        for (own, areas) in alone.areas.iter_mut().zip(&self.areas) {
+            set_vector(own, 0, vector(areas, star));
+        }
         let site = |vertex, place, origin| Site { vertex, place: vector(place, star), origin: vector(origin, star) };
         alone.set_centre(0, site(self.numbers.as_ref()[star], &self.centres, &self.origins));
         for (own, Spoke { vertices, place, origin }) in alone.spokes[..=alone.longest].iter_mut().zip(&self.spokes) {
@@ -361,6 +366,26 @@ impl LocalStar {
         let second = self.is_crease().then_some(self.split()..=self.valence());
         once(0..=self.split()).chain(second).map(|sector| sector.map(|i| self.point(i)))
     }
+}
+
+/// Writes a rim into the spokes. The loops are as long together for each star, so that their end is foreseen.
+#[inline(always)]
+fn set_rim<N: Number>(spokes: &mut [Spoke<N>], rim: &[u32], set: impl Fn(&mut Spoke<N>, u32)) {
+    let (own, beyond) = spokes.split_at_mut(rim.len());
+    for (spoke, &r) in own.iter_mut().zip(rim) {
+        set(spoke, r);
+    }
+    let end = rim[rim.len() - 1];
+    for spoke in beyond {
+        set(spoke, end);
+    }
+}
+
+/// The sector of triangle number `i`, if the second one begins at rim vertex `split`. In company it is known beforehand, and
+/// nothing has to be chosen.
+#[inline(always)]
+fn sector<N: Number>(split: usize, i: usize) -> usize {
+    usize::from(N::STARS == 1 && i >= split)
 }
 
 /// Twice the vector area of a fan about the origin: Σ A × B. For a closed star it is the vector area of the ring and does

@@ -210,18 +210,21 @@ impl Operation {
     ) -> N {
         let (mut countdown, mut total) = (stars.countdown(token), N::splat(token, 0.0));
         let mut a = planes[0].flatten(stars.spokes()[0].place(token));
+        let mut x = a.square();
         for (i, (sample, spokes)) in samples.iter_mut().zip(stars.spokes().windows(2)).enumerate() {
             let plane = &planes[stars.sector(i)];
-            if i == stars.split() {
+            if stars.is_crease() && i == stars.split() {
                 a = plane.flatten(spokes[0].place(token));
+                x = a.square();
             }
             let b = plane.flatten(spokes[1].place(token));
+            let y = b.square();
             let present = countdown.next();
-            let value = self.model.bounded(token, sample.flat.take(token, a, b));
+            let value = self.model.bounded(token, sample.flat.take(token, [a, b], [x, y]));
             value.store(&mut sample.value);
             self.model.interval(token, value, present).store(&mut sample.interval);
             total = total + value.only(token, present);
-            a = b;
+            (a, x) = (b, y);
         }
         total
     }

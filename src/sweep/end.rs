@@ -128,9 +128,10 @@ impl<N: Number> End<'_, N> {
     #[inline(always)]
     fn go(&self, moved: u64, places: &[N::Row; 3]) {
         for star in members::<N>(moved) {
-            self.places.set(self.scene.vertices.as_ref()[star], vector(places, star));
+            let v = self.scene.vertices.as_ref()[star];
+            self.places.set(v, vector(places, star));
+            self.outcomes.set(v, Outcome::Moved);
         }
-        self.note(moved, Outcome::Moved);
     }
 
     #[inline(always)]

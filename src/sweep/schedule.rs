@@ -140,14 +140,8 @@ impl Surroundings<'_> {
         if !self.features.role(v).moves() {
             return STAYS;
         }
-        let rim = self.stars.rim(v);
-        let is_foreign = |r: u32| (r ^ v) as usize >= BLOCK;
-        let strays = rim.iter().fold(0, |strays, &r| strays | (r ^ v));
-        if (strays as usize) < BLOCK || !rim.iter().any(|&r| is_foreign(r) && self.features.role(r).moves()) {
-            INNER
-        } else {
-            BORDER
-        }
+        let rim = self.stars.rim_of_disc(v);
+        if rim.iter().all(|&r| ((r ^ v) as usize) < BLOCK || !self.features.role(r).moves()) { INNER } else { BORDER }
     }
 }
 
@@ -157,7 +151,7 @@ fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) {
         if marks[v] != BORDER {
             continue;
         }
-        let taken = around.stars.rim(v as u32).iter().fold(0_u64, |taken, &r| {
+        let taken = around.stars.rim_of_disc(v as u32).iter().fold(0_u64, |taken, &r| {
             let mark = marks[r as usize];
             taken | u64::from(usize::from(mark) < COLORS) << (mark & 63)
         });

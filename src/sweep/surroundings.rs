@@ -20,6 +20,14 @@ const ON_CREASE: Leash = Leash { planes: 0.08, place: f64::INFINITY };
 /// Bounds for a vertex that may be a corner after all.
 const NEAR_CORNER: Leash = Leash { planes: 0.1, place: 0.2 };
 
+/// Bounds for each role: a table, since visits in company ask for them side by side.
+const LEASHES: [Leash; Role::COUNT] = {
+    let mut leashes = [ON_SURFACE; Role::COUNT];
+    leashes[Role::Crease as usize] = ON_CREASE;
+    leashes[Role::Doubtful as usize] = NEAR_CORNER;
+    leashes
+};
+
 /// All that a visit reads and never changes.
 pub(crate) struct Surroundings<'a> {
     pub mesh: &'a Mesh<'a>,
@@ -49,16 +57,15 @@ impl Surroundings<'_> {
 
     /// How far a sweep may take a vertex from where it was in the original mesh.
     pub(super) fn leash(&self, v: u32) -> Leash {
-        if self.keeps_shape { self.close_leash(v) } else { Leash::NONE }
+        if !self.keeps_shape {
+            return Leash::NONE;
+        }
+        LEASHES[self.features.role(v) as usize]
     }
 
     /// The same where the shape of the surface is to be kept in any case.
     pub fn close_leash(&self, v: u32) -> Leash {
-        match self.features.role(v) {
-            Role::Crease => ON_CREASE,
-            Role::Doubtful => NEAR_CORNER,
-            _ => ON_SURFACE,
-        }
+        LEASHES[self.features.role(v) as usize]
     }
 
     /// Where a vertex is.

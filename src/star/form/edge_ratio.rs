@@ -21,12 +21,12 @@ impl<N: Number> Default for Flat<N> {
 }
 
 impl<N: Number> Flat<N> {
-    /// Takes up the triangles over the rim edges a → b. Returns their edge ratios, longest over shortest edge: infinite if
+    /// Takes up the triangles over the rim edges a → b, whose ends have these squares. Returns their edge ratios, longest over shortest edge: infinite if
     /// the shortest has no length.
     #[inline(always)]
-    pub fn take(&mut self, token: N::Token, a: Points<N>, b: Points<N>) -> N {
+    pub fn take(&mut self, token: N::Token, [a, b]: [Points<N>; 2], [x, y]: [N; 2]) -> N {
         let edge = b.minus(a);
-        let (x, y, z) = (a.square(), b.square(), edge.square());
+        let z = edge.square();
         let leans = x.below(y);
         let (near, far) = (N::choose(leans, x, y), N::choose(leans, y, x));
         let shortest = N::choose(near.below(z), near, z);
@@ -90,7 +90,7 @@ mod tests {
 
     fn flat(a: DVec2, b: DVec2) -> (Flat<f64>, f64) {
         let mut flat = Flat::default();
-        let edge_ratio = flat.take((), a.into(), b.into());
+        let edge_ratio = flat.take((), [a.into(), b.into()], [a.length_squared(), b.length_squared()]);
         (flat, edge_ratio)
     }
 
