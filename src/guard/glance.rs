@@ -61,7 +61,7 @@ fn squared_leashes<N: Number>(token: N::Token, vertices: &N::Vertices, leash: im
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
+    use glam::{DMat3, DVec3};
     use proptest::prelude::*;
 
     use super::*;
@@ -153,6 +153,18 @@ mod tests {
         drift[4] = fan[4] - folded;
         fan[4] = folded;
         assert!(!said(&fan, &drift, DVec3::X * 0.01, PLANES).glance);
+    }
+
+    #[test]
+    fn of_a_ring_that_has_turned_the_guard_is_asked() {
+        let fan = tent(0.0);
+        let found = |degrees: f64| {
+            let turn = DMat3::from_rotation_x(degrees.to_radians());
+            let drift: Vec<_> = fan.iter().map(|&p| turn * p - p).collect();
+            said(&fan, &drift, turn * DVec3::X * 0.05, Leash::NONE)
+        };
+        assert_eq!(found(10.0), Said { glance: true, guard: true });
+        assert_eq!(found(50.0), Said { glance: false, guard: true });
     }
 
     fn vectors(size: f64, count: usize) -> impl Strategy<Value = Vec<DVec3>> {
