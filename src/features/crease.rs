@@ -55,7 +55,8 @@ impl Dihedral<'_> {
         for v in vertices.filter(|&v| !self.is_flat_around(v)) {
             for (i, &r) in self.stars.ring(v).iter().enumerate() {
                 let seen_once = v < r && !self.is_flat_around(r) || self.stars.ring(r).is_empty();
-                if let Some(flanks) = self.stars.flanks(v, i).filter(|_| seen_once)
+                if seen_once
+                    && let Some(flanks) = self.stars.flanks(v, i)
                     && self.is_sharp(v, r, flanks)
                 {
                     edges.push(([v, r], self.is_clear(v, r, flanks)));

@@ -67,7 +67,8 @@ impl Stars {
     }
 
     fn find_hubs(&mut self, mesh: &Mesh<'_>) {
-        for v in (0..self.len() as u32).filter(|&v| self.is_hub(v)).collect::<Vec<_>>() {
+        let has_many_slots = |v: &u32| self.offsets[*v as usize + 1] - self.offsets[*v as usize] > HUB as u32;
+        for v in (0..self.len() as u32).filter(has_many_slots).filter(|&v| self.is_hub(v)).collect::<Vec<_>>() {
             let mut positions: Vec<(u32, u32)> = self.ring(v).iter().copied().zip(0..).collect();
             positions.sort_unstable();
             let double_area = self.sum_double_area(mesh, v);
@@ -210,13 +211,17 @@ struct Part<'a> {
 impl Part<'_> {
     /// Turns triangle numbers into rings.
     fn link(self, mesh: &Mesh<'_>) {
-        let mut rim = Vec::new();
+        let (mut rim, mut starts) = (Vec::new(), Starts::default());
         for (i, kind) in self.kinds.iter_mut().enumerate() {
             let [start, end] = [i, i + 1].map(|i| (self.offsets[i] - self.offsets[0]) as usize);
             let (own, v) = (&mut self.slots[start..end], self.first + i as u32);
             rim.clear();
-            rim.extend(own[..own.len() - 1].iter().map(|&t| rim_edge(&mesh.triangles[t as usize], v)));
-            *kind = link(&mut rim, own);
+            rim.extend(own[..own.len() - 1].iter().enumerate().map(|(i, &t)| {
+                let edge = rim_edge(&mesh.triangles[t as usize], v);
+                starts.note(edge.0, i);
+                edge
+            }));
+            *kind = link(&mut rim, own, &starts);
         }
     }
 }
@@ -290,13 +295,39 @@ fn rim_edge(&[a, b, c]: &[u32; 3], v: u32) -> (u32, u32) {
 /// Rim edges beyond which a search is faster in a sorted list.
 const MANY: usize = 24;
 
+/// Where to look first for the rim edge that starts at a vertex: by the last byte of its number. What stands there may be of
+/// another vertex, or left from another star.
+struct Starts([u8; 256]);
+
+impl Default for Starts {
+    fn default() -> Self {
+        Self([0; 256])
+    }
+}
+
+impl Starts {
+    /// Notes that edge number `i` starts at `a`.
+    fn note(&mut self, a: u32, i: usize) {
+        self.0[a as usize % 256] = i as u8;
+    }
+
+    /// Position of an edge that starts at `a`.
+    fn find(&self, rim: &[(u32, u32)], a: u32) -> Option<usize> {
+        let i = usize::from(self.0[a as usize % 256]);
+        match rim.get(i) {
+            Some(edge) if edge.0 == a => Some(i),
+            _ => rim.iter().position(|edge| edge.0 == a),
+        }
+    }
+}
+
 /// Chains rim edges into a ring, written to `own`, which has one slot more than there are edges.
-fn link(rim: &mut [(u32, u32)], own: &mut [u32]) -> StarKind {
+fn link(rim: &mut [(u32, u32)], own: &mut [u32], starts: &Starts) -> StarKind {
     match rim.len() {
         0 => StarKind::Empty,
         n if n <= MANY => {
             let is_open_end = |e: &(u32, u32)| rim.iter().all(|f| f.1 != e.0);
-            chain(rim, own, || rim.iter().position(is_open_end), |a| rim.iter().position(|e| e.0 == a))
+            chain(rim, own, || rim.iter().position(is_open_end), |a| starts.find(rim, a))
         }
         _ => link_many(rim, own),
     }
