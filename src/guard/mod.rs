@@ -99,10 +99,15 @@ impl<N: Number> Guard<N> {
         if asking == 0 {
             return kept;
         }
+        let mut changed = 0;
         for star in (0..N::STARS).filter(|star| asking >> star & 1 == 1) {
-            self.original.forget_folded(scene, star);
+            changed |= u64::from(self.original.forget_folded(scene, star)) << star;
         }
         let bar = self.bar(token, scene);
+        changed |= N::bits(bar.below(N::splat(token, self.floor)));
+        if asking & changed == 0 {
+            return kept;
+        }
         N::bits(near & self.keeps_all(token, scene, step, bar))
     }
 
@@ -139,6 +144,10 @@ impl<N: Number> Guard<N> {
                 keeps = keeps & after.unfolds(token, &Witness::new(Arm::new(a), Arm::new(b)), outward);
             }
             kept = kept & (keeps | !countdown.next());
+            // Of a star alone one triangle says enough.
+            if N::STARS == 1 && !N::any(kept) {
+                break;
+            }
             a = b;
         }
         kept

@@ -54,10 +54,11 @@ impl<N: Number> Original<N> {
         sum
     }
 
-    /// Strikes out the triangles of star number `star` that came folded over.
+    /// Strikes out the triangles of star number `star` that came folded over. Returns whether there are any.
     #[cold]
-    pub fn forget_folded(&mut self, scene: &Scene<'_, N>, star: usize) {
+    pub fn forget_folded(&mut self, scene: &Scene<'_, N>, star: usize) -> bool {
         let triangles = &mut self.0[..scene.stars.valence_of(star)];
+        let mut any = false;
         let area: DVec3 = triangles.iter().map(|triangle| vector(&triangle.normal, star)).sum();
         for (i, triangle) in triangles.iter_mut().enumerate() {
             let opposes = vector(&triangle.normal, star).dot(area) < 0.0;
@@ -67,8 +68,10 @@ impl<N: Number> Original<N> {
                 set_vector(&mut triangle.normal, star, DVec3::ZERO);
                 triangle.square.as_mut()[star] = 0.0;
                 triangle.plane.as_mut()[star] = 0.0;
+                any = true;
             }
         }
+        any
     }
 
     /// How the triangles faced.
