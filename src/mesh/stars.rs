@@ -412,6 +412,16 @@ mod tests {
     }
 
     #[test]
+    fn rim_vertices_whose_numbers_end_alike_are_told_apart() {
+        for closed in [true, false] {
+            let triangles: Vec<_> = fan(6, closed).into_iter().map(|corners| corners.map(|v| v * 256)).collect();
+            let stars = stars(6 * 256 + 1, &triangles);
+            assert_eq!(stars.kind(0), if closed { StarKind::Closed } else { StarKind::Open });
+            assert_eq!(stars.ring(0), [1, 2, 3, 4, 5, 6].map(|v| v * 256));
+        }
+    }
+
+    #[test]
     fn an_open_fan_starts_and_ends_on_the_boundary() {
         for valence in [3, 6, 25, 26, 1000] {
             let mut triangles = fan(valence, false);
