@@ -1,6 +1,7 @@
 //! Buffers in, validated mesh and its stars out: the lowest layer.
 
 mod coordinate;
+mod rings;
 mod stars;
 mod validated;
 mod vertices;

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
 
+use super::rings;
 use super::validated::{Mesh, repeats_a_vertex};
 use crate::error::Error;
 use crate::memory;
@@ -60,7 +62,7 @@ impl Stars {
             parts.push(Part { first: (part * PART) as u32, offsets, slots: own, kinds });
             rest = others;
         }
-        threads.each(parts, |part| part.link(mesh));
+        threads.each(parts, |part| dispatch!(Level::new(), simd => part.link(simd, mesh)));
         let mut stars = Self { offsets, slots, kinds, hubs: BTreeMap::new() };
         stars.find_hubs(mesh);
         Ok(stars)
@@ -210,20 +212,37 @@ struct Part<'a> {
 
 impl Part<'_> {
     /// Turns triangle numbers into rings.
-    fn link(self, mesh: &Mesh<'_>) {
-        let (mut rim, mut starts) = (Vec::new(), Starts::default());
-        for (i, kind) in self.kinds.iter_mut().enumerate() {
-            let [start, end] = [i, i + 1].map(|i| (self.offsets[i] - self.offsets[0]) as usize);
-            let (own, v) = (&mut self.slots[start..end], self.first + i as u32);
-            rim.clear();
-            rim.extend(own[..own.len() - 1].iter().enumerate().map(|(i, &t)| {
-                let edge = rim_edge(&mesh.triangles[t as usize], v);
-                starts.note(edge.0, i);
-                edge
-            }));
-            *kind = link(&mut rim, own, &starts);
+    #[inline(always)]
+    fn link<S: Simd>(self, simd: S, mesh: &Mesh<'_>) {
+        let (triangles, mut rim, mut starts) = (mesh.triangles, Vec::new(), Starts::default());
+        for (v, (kind, ends)) in (self.first..).zip(self.kinds.iter_mut().zip(self.offsets.windows(2))) {
+            let [start, end] = [ends[0], ends[1]].map(|end| (end - self.offsets[0]) as usize);
+            let slots = &mut self.slots[start..];
+            *kind = if rings::close(simd, triangles, slots, v, end - start - 1) {
+                StarKind::Closed
+            } else {
+                link_alone(triangles, &mut slots[..end - start], v, &mut rim, &mut starts)
+            };
         }
     }
+}
+
+/// Turns the triangle numbers around `v` into its ring, edge by edge. What is in `rim` and `starts` does not matter.
+#[inline(never)]
+fn link_alone(
+    triangles: &[[u32; 3]],
+    own: &mut [u32],
+    v: u32,
+    rim: &mut Vec<(u32, u32)>,
+    starts: &mut Starts,
+) -> StarKind {
+    rim.clear();
+    rim.extend(own[..own.len() - 1].iter().enumerate().map(|(i, &t)| {
+        let edge = rim_edge(&triangles[t as usize], v);
+        starts.note(edge.0, i);
+        edge
+    }));
+    link(rim, own, starts)
 }
 
 /// Parts into which the vertices are divided for counting, each of which takes another look at all triangles.
@@ -399,7 +418,7 @@ mod tests {
 
     #[test]
     fn a_closed_fan_is_a_ring_in_order() {
-        for valence in [3, 6, 24, 25, 1000] {
+        for valence in [3, 6, 7, 8, 9, 24, 25, 1000] {
             let stars = stars(valence as usize + 1, &fan(valence, true));
             assert_eq!(stars.kind(0), StarKind::Closed);
             let ring = stars.ring(0);
@@ -408,6 +427,41 @@ mod tests {
             assert!(ring.windows(2).all(|w| w[1] == successor(w[0])), "{ring:?}");
             assert_eq!(stars.kind(1), StarKind::Open);
             assert_eq!(stars.ring(1), &[2, 0, valence]);
+        }
+    }
+
+    /// Few triangles over few vertices, drawn by lot.
+    fn scraps(mut lot: u64) -> Vec<[u32; 3]> {
+        let mut draw = |below: u64| {
+            lot = lot.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (lot >> 33) % below
+        };
+        let mut triangles = fan(draw(9) as u32 + 2, true);
+        for i in (0..triangles.len()).rev() {
+            triangles.swap(i, draw(i as u64 + 1) as usize);
+            triangles[i].rotate_left(draw(3) as usize);
+        }
+        for _ in 0..draw(4) {
+            let i = draw(triangles.len() as u64) as usize;
+            triangles[i][draw(3) as usize] = draw(12) as u32;
+        }
+        triangles.push([17, 18, 19]);
+        triangles
+    }
+
+    #[test]
+    fn all_edges_at_a_time_make_the_ring_that_edge_by_edge_makes() {
+        for triangles in (0..3000).map(scraps) {
+            let stars = stars(20, &triangles);
+            for v in 0..20 {
+                let has_v = |(_, t): &(u32, &[u32; 3])| t.contains(&v) && !repeats_a_vertex(t);
+                let mut own: Vec<u32> = (0..).zip(&triangles).filter(has_v).map(|(t, _)| t).chain([0]).collect();
+                let kind = link_alone(&triangles, &mut own, v, &mut Vec::new(), &mut Starts::default());
+                assert_eq!(stars.kind(v), kind, "{v} in {triangles:?}");
+                if matches!(kind, StarKind::Open | StarKind::Closed) {
+                    assert_eq!(stars.rim(v), own, "{v} in {triangles:?}");
+                }
+            }
         }
     }
 
@@ -423,7 +477,7 @@ mod tests {
 
     #[test]
     fn an_open_fan_starts_and_ends_on_the_boundary() {
-        for valence in [3, 6, 25, 26, 1000] {
+        for valence in [3, 6, 7, 8, 9, 10, 25, 26, 1000] {
             let mut triangles = fan(valence, false);
             triangles.reverse();
             let stars = stars(valence as usize + 1, &triangles);
