@@ -1,6 +1,7 @@
 //! Stars: the triangles around each vertex, as ordered rings in one flat array.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
@@ -40,6 +41,7 @@ pub(crate) struct Stars {
 /// Valence above which a star is a hub. What is asked of a star once for each of its neighbours must not take time in
 /// proportion to its valence, or a fan of a million triangles would never end.
 const HUB: usize = 64;
+const _: () = assert!(HUB.is_power_of_two());
 
 /// What is known of a star with many triangles.
 struct Hub {
@@ -69,6 +71,11 @@ impl Stars {
     }
 
     fn find_hubs(&mut self, mesh: &Mesh<'_>) {
+        // Nearly always there are none: the bits of all counts together are less than a power of two if each count is.
+        let all_counts = self.offsets.windows(2).fold(0, |all, ends| all | (ends[1] - ends[0]));
+        if all_counts < HUB as u32 {
+            return;
+        }
         let has_many_slots = |v: &u32| self.offsets[*v as usize + 1] - self.offsets[*v as usize] > HUB as u32;
         for v in (0..self.len() as u32).filter(has_many_slots).filter(|&v| self.is_hub(v)).collect::<Vec<_>>() {
             let mut positions: Vec<(u32, u32)> = self.ring(v).iter().copied().zip(0..).collect();
@@ -113,9 +120,8 @@ impl Stars {
     /// vertex again.
     #[inline(always)]
     pub fn rim(&self, v: u32) -> &[u32] {
-        let (start, end) = (self.offsets[v as usize] as usize, self.offsets[v as usize + 1] as usize);
         match self.kind(v) {
-            StarKind::Open | StarKind::Closed => &self.slots[start..end],
+            StarKind::Open | StarKind::Closed => self.rim_of_disc(v),
             StarKind::Empty | StarKind::NonManifold => &[],
         }
     }
@@ -123,20 +129,32 @@ impl Stars {
     /// The same for a star that is known to be closed or open, which need not be asked.
     #[inline(always)]
     pub fn rim_of_disc(&self, v: u32) -> &[u32] {
-        &self.slots[self.offsets[v as usize] as usize..self.offsets[v as usize + 1] as usize]
+        &self.slots[self.own_slots(v)]
+    }
+
+    /// Where all slots of `v` lie.
+    #[inline(always)]
+    fn own_slots(&self, v: u32) -> Range<usize> {
+        // Where there is an end there is a start: that is checked once.
+        let end = self.offsets[v as usize + 1] as usize;
+        self.offsets[v as usize] as usize..end
     }
 
     /// How many triangles meet in `v`, if they make a disc.
     #[inline(always)]
     pub fn valence(&self, v: u32) -> Option<usize> {
-        let slots = self.offsets[v as usize + 1] - self.offsets[v as usize];
-        matches!(self.kind(v), StarKind::Open | StarKind::Closed).then(|| slots as usize - 1)
+        matches!(self.kind(v), StarKind::Open | StarKind::Closed).then(|| self.valence_of_disc(v))
+    }
+
+    /// The same for a star that is known to be closed or open.
+    #[inline(always)]
+    pub fn valence_of_disc(&self, v: u32) -> usize {
+        self.own_slots(v).len() - 1
     }
 
     /// Where the ring of `v` lies in the array of all slots.
-    pub fn ring_slots(&self, v: u32) -> std::ops::Range<usize> {
-        let start = self.offsets[v as usize] as usize;
-        let end = self.offsets[v as usize + 1] as usize;
+    pub fn ring_slots(&self, v: u32) -> Range<usize> {
+        let Range { start, end } = self.own_slots(v);
         match self.kind(v) {
             StarKind::Open => start..end,
             StarKind::Closed => start..end - 1,
@@ -257,14 +275,9 @@ fn look(vertex_count: usize, threads: &Threads<'_>) -> usize {
 fn slot_ends(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
     let mut ends = memory::filled(0_u32, mesh.positions.len() + 1)?;
     let look = look(mesh.positions.len(), threads);
-    threads.each(ends.chunks_mut(look).enumerate().collect(), |(part, ends)| {
-        for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
-            for &v in corners {
-                if let Some(end) = ends.get_mut((v as usize).wrapping_sub(part * look)) {
-                    *end += 1;
-                }
-            }
-        }
+    threads.each(ends.chunks_mut(look).enumerate().collect(), |(part, ends)| match part {
+        0 => count(mesh, 0, ends),
+        _ => count(mesh, part * look, ends),
     });
     let mut next = 0;
     for end in &mut ends {
@@ -274,10 +287,24 @@ fn slot_ends(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Vec<u32>, Error> 
     Ok(ends)
 }
 
+/// Counts the triangles around the vertices from `first` on. For 0, which takes no subtraction, it is compiled apart.
+#[inline(always)]
+fn count(mesh: &Mesh<'_>, first: usize, counts: &mut [u32]) {
+    for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
+        for &v in corners {
+            if let Some(count) = counts.get_mut((v as usize).wrapping_sub(first)) {
+                *count += 1;
+            }
+        }
+    }
+}
+
 /// Triangle numbers around each vertex, in rising order, the last slot of each vertex left 0. Filling from behind moves the
 /// ends of each vertex's slots to where they start.
 fn incident_triangles(mesh: &Mesh<'_>, ends: &mut [u32], threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
     let mut slots = threads.collect(ends[ends.len() - 1] as usize, |_| 0)?;
+    // What was counted says whether a triangle was left out, so none needs a second look.
+    let takes_all = slots.len() == 3 * mesh.triangles.len() + mesh.positions.len();
     let (look, mut rest, mut start) = (look(mesh.positions.len(), threads), &mut slots[..], 0);
     let mut parts = Vec::new();
     for (part, ends) in ends.chunks_mut(look).enumerate() {
@@ -287,17 +314,30 @@ fn incident_triangles(mesh: &Mesh<'_>, ends: &mut [u32], threads: &Threads<'_>) 
         parts.push((part * look, start, ends, own));
         (rest, start) = (others, end);
     }
-    threads.each(parts, |(first, start, ends, slots)| {
-        for (t, corners) in mesh.triangles.iter().enumerate().rev().filter(|(_, t)| !repeats_a_vertex(t)) {
-            for &v in corners {
-                if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
-                    *next -= 1;
-                    slots[*next as usize - start] = t as u32;
-                }
-            }
-        }
+    threads.each(parts, |(first, start, ends, slots)| match (first, takes_all) {
+        (0, true) => fill(mesh, (0, ends), (0, slots), |_| true),
+        _ => fill(mesh, (first, ends), (start, slots), |corners| takes_all || !repeats_a_vertex(corners)),
     });
     Ok(slots)
+}
+
+/// Fills slots with the numbers of those triangles that are `taken` up. Before the ends and the slots stands where they begin
+/// among all; for 0, which takes no subtraction, it is compiled apart.
+#[inline(always)]
+fn fill(
+    mesh: &Mesh<'_>,
+    (first, ends): (usize, &mut [u32]),
+    (start, slots): (usize, &mut [u32]),
+    taken: impl Fn(&[u32; 3]) -> bool,
+) {
+    for (t, corners) in mesh.triangles.iter().enumerate().rev().filter(|(_, corners)| taken(corners)) {
+        for &v in corners {
+            if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
+                *next -= 1;
+                slots[*next as usize - start] = t as u32;
+            }
+        }
+    }
 }
 
 /// The edge of a triangle opposite to its corner `v`, in the triangle's own direction.
@@ -462,6 +502,22 @@ mod tests {
                     assert_eq!(stars.rim(v), own, "{v} in {triangles:?}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn any_number_of_threads_makes_the_same_stars() {
+        for repeats in [false, true] {
+            let mut triangles: Vec<_> =
+                (0..60).flat_map(|i| fan(6, true).into_iter().map(move |t| t.map(|v| v + 7 * i))).collect();
+            if repeats {
+                triangles[100][1] = triangles[100][0];
+            }
+            let positions = vec![[0.0_f64; 3]; 420];
+            let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
+            let [one, three] = [1, 3]
+                .map(|count| Threads::with(count, 1_000_000, |threads| Stars::new(&mesh, threads).expect("stars")));
+            assert_eq!((one.slots, one.kinds), (three.slots, three.kinds));
         }
     }
 
