@@ -1,7 +1,5 @@
 //! Which stars go side by side.
 
-use crate::mesh::Stars;
-
 /// Stars side by side.
 pub(crate) const LANES: usize = 8;
 
@@ -10,6 +8,12 @@ pub(crate) const TOGETHER: usize = 64;
 
 /// Largest star that goes side by side with others.
 const COMPANIONABLE: usize = 16;
+
+/// Stands for the size of all larger stars, and for that of those which are not to go with others.
+const OTHERS: usize = COMPANIONABLE + 1;
+
+/// Sizes of stars, and some to spare: a power of two, so that no index needs to be checked.
+const SIZES: usize = 32;
 
 /// Vertices whose stars have few triangles, sorted by how many, since a lane waits for the largest star of its company; and
 /// behind them the others.
@@ -22,25 +26,25 @@ pub(crate) struct Companions {
 }
 
 impl Companions {
-    /// Sorts at most [`TOGETHER`] `vertices`. Those that are not `wanted` are not among the companions.
+    /// Sorts at most [`TOGETHER`] `vertices`. `valence` says how many triangles one has, or that it is not to be among the
+    /// companions.
     #[inline(always)]
-    pub fn new(stars: &Stars, vertices: impl Iterator<Item = u32>, wanted: impl Fn(u32) -> bool) -> Self {
-        let (mut found, mut valences, mut total) = ([0; TOGETHER], [0; TOGETHER], 0);
-        let mut ends = [0; COMPANIONABLE + 3];
-        for v in vertices {
-            let valence = stars.valence(v).filter(|&valence| valence <= COMPANIONABLE && wanted(v));
-            let valence = valence.unwrap_or(COMPANIONABLE + 1);
-            (found[total], valences[total]) = (v, valence as u8);
-            ends[valence + 1] += 1;
+    pub fn new(vertices: impl Iterator<Item = u32>, valence: impl Fn(u32) -> Option<usize>) -> Self {
+        // How many there are of each size stands one place further, and becomes where the next size starts.
+        let (mut found, mut total, mut starts) = ([(0, 0); TOGETHER], 0, [0; SIZES]);
+        for (v, found) in vertices.zip(&mut found) {
+            let size = valence(v).map_or(OTHERS, |valence| valence.min(OTHERS));
+            *found = (v, size as u32);
+            starts[(size + 1) % SIZES] += 1;
             total += 1;
         }
-        for valence in 1..ends.len() {
-            ends[valence] += ends[valence - 1];
+        for size in 1..=OTHERS {
+            starts[size] += starts[size - 1];
         }
-        let (mut sorted, count) = ([0; TOGETHER], ends[COMPANIONABLE + 1]);
-        for (&v, &valence) in found[..total].iter().zip(&valences) {
-            let place = &mut ends[usize::from(valence)];
-            sorted[*place] = v;
+        let (mut sorted, count) = ([0; TOGETHER], starts[OTHERS]);
+        for &(v, size) in &found[..total] {
+            let place = &mut starts[size as usize % SIZES];
+            sorted[*place % TOGETHER] = v;
             *place += 1;
         }
         Self { sorted, count, total }
@@ -78,7 +82,7 @@ pub(crate) fn companies(vertices: &[u32]) -> impl Iterator<Item = ([u32; LANES],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Mesh;
+    use crate::mesh::{Mesh, Stars};
     use crate::threads::Threads;
 
     /// Separate closed fans with these numbers of triangles, and the vertices in their centres.
@@ -99,7 +103,7 @@ mod tests {
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
         let unwanted = centres[6];
-        let companions = Companions::new(&stars, centres.iter().copied(), |v| v != unwanted);
+        let companions = Companions::new(centres.iter().copied(), |v| stars.valence(v).filter(|_| v != unwanted));
         assert_eq!(companions.all(), [1, 5, 8, 4, 9, 7, 0, 2, 3, 6, 10].map(|i| centres[i]));
         let found: Vec<_> = companions.companies().collect();
         assert_eq!(found, [([1, 5, 8, 4, 9, 7, 0, 2].map(|i| centres[i]), 8)]);
@@ -111,7 +115,7 @@ mod tests {
         let positions = vec![[0.0_f64; 3]; count];
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let companions = Companions::new(&stars, centres.iter().copied(), |_| true);
+        let companions = Companions::new(centres.iter().copied(), |v| stars.valence(v));
         let (last, count) = companions.companies().nth(1).unwrap();
         assert_eq!((last, count), ([8, 9, 8, 8, 8, 8, 8, 8].map(|i| centres[i]), 2));
     }

@@ -150,7 +150,7 @@ impl Look<'_> {
         let end = first + cones.len() as u32;
         for start in (first..end).step_by(TOGETHER) {
             let vertices = start..end.min(start + TOGETHER as u32);
-            for (vertices, count) in Companions::new(self.stars, vertices, |_| true).companies() {
+            for (vertices, count) in Companions::new(vertices, |v| self.stars.valence(v)).companies() {
                 let place = |v: u32| all[v as usize];
                 local.take_places(simd, self.stars, place, place, &vertices);
                 let found = self.cones(simd, &local);

@@ -35,10 +35,12 @@ struct Lot {
     turns: Vec<Turn>,
 }
 
-/// What a vertex is, in a byte: one of these, or its colour.
-const STAYS: u8 = u8::MAX;
-const INNER: u8 = u8::MAX - 1;
-const BORDER: u8 = u8::MAX - 2;
+/// What a vertex is, in a byte: one of these, or its colour. Divided by 64, each of these leaves what no colour does, so that
+/// a set of colours in 64 bits has a place for them.
+const STAYS: u8 = 255;
+const INNER: u8 = 191;
+const BORDER: u8 = 127;
+const _: () = assert!(STAYS % 64 == 63 && INNER % 64 == 63 && BORDER % 64 == 63 && COLORS == 63);
 
 impl Schedule {
     pub fn new(around: &Surroundings<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
@@ -48,13 +50,11 @@ impl Schedule {
                 *mark = around.mark(v);
             }
         });
-        let mut schedule = Self {
-            vertices: memory::reserved(marks.iter().filter(|&&mark| mark != STAYS).count())?,
-            rounds: Vec::new(),
-        };
-        schedule.add_blocks(around, &marks, threads)?;
-        greedy(around, &mut marks);
-        schedule.add_border(around, &marks, threads);
+        let count = marks.iter().filter(|&&mark| mark != STAYS).count();
+        let mut schedule = Self { vertices: memory::filled(0, count)?, rounds: Vec::new() };
+        let inner = schedule.add_blocks(around, &marks, threads)?;
+        let counts = greedy(around, &mut marks);
+        schedule.add_border(around, inner, (&marks, counts), threads);
         Ok(schedule)
     }
 
@@ -82,15 +82,20 @@ impl Schedule {
         self.rounds.last().and_then(|round| round.last()).map_or(0, |lot| lot.vertices.end)
     }
 
-    /// Adds the inside of all blocks, several blocks side by side.
-    fn add_blocks(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) -> Result<(), Error> {
-        let (vertices, mut blocks) = (&mut self.vertices, memory::reserved(marks.len().div_ceil(BLOCK))?);
+    /// Adds the inside of all blocks, several blocks side by side. Returns how many vertices that are.
+    fn add_blocks(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) -> Result<usize, Error> {
+        let (mut end, mut blocks) = (0, memory::reserved(marks.len().div_ceil(BLOCK))?);
         for (block, marks) in marks.chunks(BLOCK).enumerate() {
-            let (start, first) = (vertices.len(), (block * BLOCK) as u32);
-            vertices.extend((first..).zip(marks).filter(|&(_, &mark)| mark == INNER).map(|(v, _)| v));
-            blocks.push(start..vertices.len());
+            let (start, first) = (end, (block * BLOCK) as u32);
+            for (v, &mark) in (first..).zip(marks) {
+                // The next one takes the place if this is no inner vertex: cheaper than to ask, since nobody foretells it.
+                let Some(place) = self.vertices.get_mut(end) else { break };
+                *place = v;
+                end += usize::from(mark == INNER);
+            }
+            blocks.push(start..end);
         }
-        let (mut work, mut left) = (Vec::new(), &mut vertices[..]);
+        let (mut work, mut left) = (Vec::new(), &mut self.vertices[..end]);
         for parts in blocks.chunks(TOGETHER) {
             let (own, others) = left.split_at_mut(parts.iter().map(ExactSizeIterator::len).sum());
             work.push((parts, own));
@@ -98,23 +103,27 @@ impl Schedule {
         }
         let turns = threads.map_each(work, |(parts, own)| turns::side_by_side(around, own, parts));
         self.rounds.push(lots(0, turns.into_iter().collect::<Result<_, _>>()?));
-        Ok(())
+        Ok(end)
     }
 
-    /// Adds the border, colour by colour, by counting.
-    fn add_border(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) {
-        let colors = || marks.iter().map(|&mark| usize::from(mark)).enumerate().filter(|&(_, color)| color <= COLORS);
-        let mut counts = [0; COLORS + 1];
-        colors().for_each(|(_, color)| counts[color] += 1);
-        let mut next = [self.vertices.len(); COLORS + 2];
+    /// Adds the border from place `first` on, colour by colour; how many there are of each comes with the marks.
+    fn add_border(
+        &mut self,
+        around: &Surroundings<'_>,
+        first: usize,
+        (marks, counts): (&[u8], [usize; COLORS + 1]),
+        threads: &Threads<'_>,
+    ) {
+        let mut next = [first; COLORS + 2];
         for color in 0..=COLORS {
             next[color + 1] = next[color] + counts[color];
         }
         let starts = next;
-        self.vertices.resize(next[COLORS + 1], 0);
-        for (v, color) in colors() {
-            self.vertices[next[color]] = v as u32;
-            next[color] += 1;
+        for (v, &mark) in (0..).zip(marks) {
+            if let Some(next) = next[..=COLORS].get_mut(usize::from(mark)) {
+                self.vertices[*next] = v;
+                *next += 1;
+            }
         }
         for (color, &start) in starts[..COLORS].iter().enumerate().filter(|&(color, _)| counts[color] > 0) {
             let own = self.vertices[start..starts[color + 1]].chunks_mut(TASK).collect();
@@ -141,22 +150,40 @@ impl Surroundings<'_> {
             return STAYS;
         }
         let rim = self.stars.rim_of_disc(v);
-        if rim.iter().all(|&r| ((r ^ v) as usize) < BLOCK || !self.features.role(r).moves()) { INNER } else { BORDER }
+        let is_inside = |&r: &u32| ((r ^ v) as usize) < BLOCK || !self.features.role(r).moves();
+        if lies_in_block(rim, v) || rim.iter().all(is_inside) { INNER } else { BORDER }
     }
 }
 
-/// Gives each vertex of the border, by index, the first colour that none of its neighbours there has.
-fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) {
+/// Whether no vertex of a rim lies in another block than `v`. `false` says nothing about rims that are large, or tiny.
+fn lies_in_block(rim: &[u32], v: u32) -> bool {
+    let (Some(front), Some(back), ..=8) = (rim.first_chunk::<4>(), rim.last_chunk::<4>(), rim.len()) else {
+        return false;
+    };
+    // These are all, some of them twice.
+    let mut differing = [0; 4];
+    for (i, differing) in differing.iter_mut().enumerate() {
+        *differing = (front[i] ^ v) | (back[i] ^ v);
+    }
+    (differing.iter().fold(0, |all, bits| all | bits) as usize) < BLOCK
+}
+
+/// Gives each vertex of the border, by index, the first colour that none of its neighbours there has. Returns how many there
+/// are of each colour, and for how many none was left.
+fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) -> [usize; COLORS + 1] {
+    let mut counts = [0; COLORS + 1];
     for v in 0..marks.len() {
         if marks[v] != BORDER {
             continue;
         }
-        let taken = around.stars.rim_of_disc(v as u32).iter().fold(0_u64, |taken, &r| {
-            let mark = marks[r as usize];
-            taken | u64::from(usize::from(mark) < COLORS) << (mark & 63)
-        });
-        marks[v] = (taken.trailing_ones() as u8).min(COLORS as u8);
+        // The last bit is no colour's, and may be set or not.
+        let rim = around.stars.rim_of_disc(v as u32);
+        let taken = rim.iter().fold(0_u64, |taken, &r| taken | 1 << (marks[r as usize] % 64));
+        let color = (taken.trailing_ones() as usize).min(COLORS);
+        marks[v] = color as u8;
+        counts[color] += 1;
     }
+    counts
 }
 
 #[cfg(test)]

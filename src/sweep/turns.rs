@@ -45,8 +45,9 @@ pub(super) fn apart(around: &Surroundings<'_>, vertices: &mut [u32]) -> Vec<Turn
 }
 
 fn arrange(around: &Surroundings<'_>, turn: &mut [u32]) -> Turn {
-    let moves_in_plane = |v: u32| around.features.role(v).moves_in_plane();
-    let companions = Companions::new(around.stars, turn.iter().copied(), moves_in_plane);
+    // What moves has a disc around it.
+    let valence = |v: u32| around.features.role(v).moves_in_plane().then(|| around.stars.valence_of_disc(v));
+    let companions = Companions::new(turn.iter().copied(), valence);
     turn.copy_from_slice(companions.all());
     Turn { size: turn.len() as u8, companions: companions.len() as u8 }
 }
