@@ -12,6 +12,8 @@ mod improve;
 mod memory;
 mod mesh;
 mod options;
+#[allow(unsafe_code)]
+mod pages;
 mod preparation;
 pub mod progress;
 pub mod quality;

@@ -75,7 +75,7 @@ impl Renumbering {
         for (new, &old) in (0..).zip(&order) {
             ranks[old as usize] = new;
         }
-        let triangles = sorted_triangles(&ranks, triangles)?;
+        let triangles = sorted_triangles(&ranks, triangles, threads)?;
         Ok(Some(Self { order, ranks, triangles }))
     }
 
@@ -129,22 +129,65 @@ fn are_in_range(count: usize, triangles: &[[u32; 3]], threads: &Threads<'_>) -> 
     threads.parts(triangles.len(), part).into_iter().all(|good| good)
 }
 
-/// The triangles under new numbers, in the order of their least vertices, by counting.
-fn sorted_triangles(ranks: &[u32], triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
-    let renumbered = |triangle: &[u32; 3]| triangle.map(|v| ranks[v as usize]);
-    let least = |[a, b, c]: [u32; 3]| a.min(b).min(c) as usize;
-    let mut next = memory::filled(0_u32, ranks.len() + 1)?;
-    triangles.iter().for_each(|triangle| next[least(renumbered(triangle)) + 1] += 1);
+/// Vertices of consecutive new numbers whose triangles are sorted at once, in a processor's caches.
+const BUCKET: usize = 1 << 16;
+
+/// The triangles under new numbers, in the order of their least vertices; those with the same least vertex keep theirs. First they
+/// are thrown into buckets, so that each is looked at in memory only once, then each bucket is sorted by counting.
+fn sorted_triangles(ranks: &[u32], triangles: &[[u32; 3]], threads: &Threads<'_>) -> Result<Vec<[u32; 3]>, Error> {
+    let count = ranks.len().div_ceil(BUCKET);
+    let parts = triangles.chunks(triangles.len().div_ceil(threads.count()).max(1)).collect();
+    let parts = threads.map_each(parts, |part| thrown(ranks, part, count));
+    let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
+    let mut sorted = threads.filled([0; 3], triangles.len())?;
+    let (mut buckets, mut rest) = (Vec::new(), &mut sorted[..]);
+    for bucket in 0..count {
+        let size = parts.iter().map(|part| part[bucket].len()).sum();
+        let (own, others) = rest.split_at_mut(size);
+        buckets.push((bucket, own));
+        rest = others;
+    }
+    let done = threads.map_each(buckets, |(bucket, own)| {
+        let thrown = || parts.iter().flat_map(|part| &part[bucket]).copied();
+        sort_by_least(thrown, bucket * BUCKET, own)
+    });
+    done.into_iter().collect::<Result<(), Error>>()?;
+    Ok(sorted)
+}
+
+fn least([a, b, c]: [u32; 3]) -> usize {
+    a.min(b).min(c) as usize
+}
+
+/// Triangles under new numbers, each in the bucket of its least vertex.
+fn thrown(ranks: &[u32], triangles: &[[u32; 3]], count: usize) -> Result<Vec<Vec<[u32; 3]>>, Error> {
+    // A little more than there will be of vertices that are numbered at random.
+    let usual = triangles.len() / count + triangles.len() / (8 * count) + 64;
+    let mut buckets = (0..count).map(|_| memory::reserved(usual)).collect::<Result<Vec<Vec<_>>, _>>()?;
+    for triangle in triangles {
+        let triangle = triangle.map(|v| ranks[v as usize]);
+        memory::push(&mut buckets[least(triangle) / BUCKET], triangle)?;
+    }
+    Ok(buckets)
+}
+
+/// Writes the triangles of a bucket in the order of their least vertices, the first of which may be number `first`.
+fn sort_by_least<I: Iterator<Item = [u32; 3]>>(
+    thrown: impl Fn() -> I,
+    first: usize,
+    sorted: &mut [[u32; 3]],
+) -> Result<(), Error> {
+    let mut next = memory::filled(0_u32, BUCKET + 1)?;
+    thrown().for_each(|triangle| next[least(triangle) - first + 1] += 1);
     for v in 1..next.len() {
         next[v] += next[v - 1];
     }
-    let mut sorted = memory::filled([0; 3], triangles.len())?;
-    for triangle in triangles.iter().map(renumbered) {
-        let place = &mut next[least(triangle)];
+    for triangle in thrown() {
+        let place = &mut next[least(triangle) - first];
         sorted[*place as usize] = triangle;
         *place += 1;
     }
-    Ok(sorted)
+    Ok(())
 }
 
 /// A box around all vertices.

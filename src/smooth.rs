@@ -96,7 +96,7 @@ pub(crate) fn sweeps(
 ) -> Result<(Vec<DVec3>, Report), Error> {
     let clock = Instant::now();
     let around = prepared.surroundings(options);
-    let outcomes = Outcomes::new(prepared.mesh.positions.len())?;
+    let outcomes = Outcomes::new(prepared.mesh.positions.len(), threads)?;
     let (new, tally) = sweep::run(&around, &outcomes, options, constraints, threads, progress)?;
     let sweeps = clock.elapsed().as_secs_f64();
 

@@ -79,6 +79,14 @@ impl Threads<'_> {
         Ok(all)
     }
 
+    /// `count` copies of `value`, which the threads write.
+    pub fn filled<T: Copy + Send + Sync>(&self, value: T, count: usize) -> Result<Vec<T>, Error> {
+        match self.0 {
+            None => memory::filled(value, count),
+            Some(_) => self.collect(count, |_| value),
+        }
+    }
+
     /// Sorts.
     pub fn sort(&self, all: &mut [u64]) {
         match self.0 {

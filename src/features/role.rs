@@ -3,7 +3,6 @@
 use super::slots::SlotSet;
 use super::{corner, crease};
 use crate::error::Error;
-use crate::memory;
 use crate::mesh::{Mesh, StarKind, Stars};
 use crate::options::{Boundary, Constraints, Options};
 use crate::star::Cones;
@@ -74,7 +73,7 @@ impl Features {
         }
         let straight = libm::cos(options.feature_angle.unwrap_or(STRAIGHT).to_radians());
         let judge = Judge { mesh, stars, slots: &slots, marked: &marked, boundary: options.boundary, straight };
-        let mut roles = memory::filled(Role::Free, stars.len())?;
+        let mut roles = threads.filled(Role::Free, stars.len())?;
         threads.each(roles.chunks_mut(PART).enumerate().collect(), |(part, roles)| {
             for (v, role) in (part * PART..).zip(roles) {
                 let locked = constraints.locked.get(v).copied().unwrap_or(false);

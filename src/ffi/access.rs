@@ -75,8 +75,8 @@ pub(super) struct CallersVertices<T> {
     count: usize,
 }
 
-// SAFETY: while it is shared it is only read, and who makes one promises that nobody else writes.
-unsafe impl<T: Sync> Sync for CallersVertices<T> {}
+// SAFETY: who makes one promises that nobody else writes, and of the threads that share it each writes vertices of its own.
+unsafe impl<T: Send + Sync> Sync for CallersVertices<T> {}
 
 impl<T: Coordinate> CallersVertices<T> {
     /// Where vertex `v` is.
@@ -98,14 +98,18 @@ impl<T: Coordinate> Vertices<T> for CallersVertices<T> {
     }
 
     /// Writes where a bit has changed, and no byte of any other vertex.
-    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, _: &Threads<'_>) {
+    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
         let bits = |p: [T; 3]| p.map(|x| x.to_f64().to_bits());
-        for v in 0..self.count {
-            if let Some(new) = changed(v).filter(|&new| bits(new) != bits(self.get(v))) {
-                // SAFETY: the place is writable and aligned, by the promise of who made this.
-                unsafe { self.place(v).write(new) };
+        let vertices = &*self;
+        threads.parts(vertices.count, |part| {
+            for v in part {
+                if let Some(new) = changed(v).filter(|&new| bits(new) != bits(vertices.get(v))) {
+                    // SAFETY: the place is writable and aligned, by the promise of who made this, and nobody else reads or writes
+                    // it: the parts have no vertex in common, and this is borrowed mutably.
+                    unsafe { vertices.place(v).write(new) };
+                }
             }
-        }
+        });
     }
 }
 

@@ -6,7 +6,7 @@ mod original;
 
 use crate::mesh::{Mesh, Stars};
 use crate::star::{Arm, LocalStars, Number, Vectors, Witness};
-pub(crate) use glance::glance;
+pub(crate) use glance::{Known, glance};
 use original::Original;
 
 /// Largest angle in degrees by which a triangle's normal may turn against its original one.

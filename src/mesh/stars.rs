@@ -43,6 +43,9 @@ pub(crate) struct Stars {
 const HUB: usize = 64;
 const _: () = assert!(HUB.is_power_of_two());
 
+/// Slots that are copied at once.
+const FEW: usize = 8;
+
 /// What is known of a star with many triangles.
 struct Hub {
     /// Ring vertices with their ring positions, sorted.
@@ -138,6 +141,20 @@ impl Stars {
         // Where there is an end there is a start: that is checked once.
         let end = self.offsets[v as usize + 1] as usize;
         self.offsets[v as usize] as usize..end
+    }
+
+    /// Copies the rim of a star that is known to be closed or open to the front of a row, which has room for it. Returns how long
+    /// it is. What stands behind it in the row means nothing.
+    #[inline(always)]
+    pub fn copy_rim_of_disc<const ROW: usize>(&self, v: u32, row: &mut [u32; ROW]) -> usize {
+        let own = self.own_slots(v);
+        let (slots, count) = (&self.slots[own.start..], own.len());
+        match (slots.first_chunk(), row.first_chunk_mut()) {
+            // Eight numbers are one copy, and most rims are no longer.
+            (Some(slots), Some(row)) if count <= FEW => *row = *slots as [u32; FEW],
+            _ => row.iter_mut().zip(&slots[..count]).for_each(|(own, &r)| *own = r),
+        }
+        count
     }
 
     /// How many triangles meet in `v`, if they make a disc.

@@ -34,8 +34,12 @@ impl<'a> Mesh<'a> {
         let parts = threads.parts(vertex_count, |part| largest_coordinate(positions, part));
         let unit = unit_of(parts.into_iter().try_fold(0.0, |largest, part| Ok(f64::max(largest, part?)))?);
         // Scaling down takes two steps where the reciprocal itself would be subnormal.
-        let at = |v: usize| DVec3::from_array(positions.get(v).map(|x| x.to_f64() / unit));
-        let scaled = threads.collect(vertex_count, at)?;
+        let read = |v: usize| DVec3::from_array(positions.get(v).map(Coordinate::to_f64));
+        let scaled = if unit == 1.0 {
+            threads.collect(vertex_count, read)?
+        } else {
+            threads.collect(vertex_count, |v| read(v) / unit)?
+        };
         Ok(Self { positions: scaled, triangles, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
     }
 

@@ -2,23 +2,23 @@
 //! sharply bent against another one, or that a new triangle faces as all of them do.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8};
-use glam::DVec3;
 
 use super::company::{Companions, LANES, TOGETHER};
-use super::local::LocalStars;
-use super::number::Number;
-use super::vectors::{Vectors, set_vector};
-use super::witness::{Arm, MEANINGLESS, THIN, Witness};
+use super::local::{Countdown, LocalStars};
+use super::number::{Arithmetic, Number, Single};
+use super::vectors::Vectors;
+use super::witness::{Arm, CLEAR, MEANINGLESS, THIN, TINY, Witness};
 use crate::error::Error;
-use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::threads::{PART, Threads};
 
-/// By how much cones are wider than computed: more than what rounding to `f32` does.
-const MARGIN: f64 = 1e-6;
+/// By how much cones are wider than computed, in cosines and sines: more than what single precision does to the angles of
+/// triangles that are [`CLEAR`]. The corners of a triangle are off by 2⁻²⁴ of its sides a and b, its normal therefore by at most
+/// 8 · 2⁻²⁴ |a| |b|, and |normal| is at least 0.57 |a| |b| times its shape: an angle of 1.7e-4, for each of two triangles.
+const MARGIN: f64 = 5e-4;
 
-/// Squares below this have lost too many digits to be compared.
-const TINY: f64 = 1e-140;
+/// What single precision does to a squared cosine of about 1.
+const BLUR: f64 = 4e-6;
 
 /// Squared cosine of the widest cone that is of use: 74°.
 const WIDEST: f64 = 0.076;
@@ -27,7 +27,11 @@ const WIDEST: f64 = 0.076;
 const LARGEST: usize = 1 << 24;
 
 /// A cone for each vertex; for stars with many triangles or none of use that nothing agrees with.
-pub(crate) struct Cones(Vec<Cone>);
+pub(crate) struct Cones {
+    cones: Vec<Cone>,
+    /// One over the mesh's typical edge, as a power of two.
+    scale: f64,
+}
 
 /// In `f32`, rounded so that nothing is promised that does not hold.
 #[derive(Clone, Copy)]
@@ -41,7 +45,7 @@ struct Cone {
     spread: f32,
     /// The same around all normals; infinite if a triangle is thin.
     bend: f32,
-    /// Mean squared distance of the ring from the centre.
+    /// Mean squared distance of the ring from the centre, in units of the mesh's typical edge.
     size: f32,
 }
 
@@ -50,9 +54,12 @@ pub(crate) struct ConesOf<N> {
     axis: Vectors<N>,
     turn: N,
     spread: N,
-    /// Mean squared distances of the rings from their centres.
+    /// Mean squared distances of the rings from their centres, in units of the mesh's typical edge.
     pub size: N,
 }
+
+/// The same in memory: axis, turn, spread and size.
+pub(crate) struct ConeRows<R>([R; 6]);
 
 impl Cones {
     /// The cones of all stars; `None` for a mesh that is too large. Normals are allowed to turn by `largest_turn` degrees.
@@ -65,37 +72,52 @@ impl Cones {
         if stars.len() > LARGEST {
             return Ok(None);
         }
-        let mut cones = memory::filled(Cone::UNKNOWN, stars.len())?;
-        let look = Look { mesh, stars, turn: [libm::cos, libm::sin].map(|of| of(largest_turn.to_radians())) };
-        threads.each(cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
+        let mut cones = Self { cones: threads.filled(Cone::UNKNOWN, stars.len())?, scale: scale(mesh) };
+        let turn = [libm::cos, libm::sin].map(|of| of(largest_turn.to_radians()));
+        let look = Look { mesh, stars, turn, scale: cones.scale };
+        threads.each(cones.cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
             dispatch!(Level::new(), simd => look.fill(simd, (part * PART) as u32, cones));
         });
-        Ok(Some(Self(cones)))
+        Ok(Some(cones))
     }
 
     /// Whether no triangle around `v` is thin, and no two meet at an angle of which this is the cosine, or more.
     pub fn is_flat(&self, v: u32, cosine: f64) -> bool {
-        f64::from(self.0[v as usize].bend) < 0.5 * (1.0 - cosine)
+        f64::from(self.cones[v as usize].bend) < 0.5 * (1.0 - cosine)
     }
 
-    /// The cones of `vertices`.
+    /// Lengths in units of the mesh's typical edge.
     #[inline(always)]
-    pub fn of<N: Number>(&self, token: N::Token, vertices: &N::Vertices) -> ConesOf<N> {
-        let mut axis = [N::Row::default(); 3];
-        let [mut turn, mut spread, mut size] = [N::Row::default(); 3];
-        for (star, &v) in vertices.as_ref().iter().enumerate() {
-            let cone = &self.0[v as usize];
-            set_vector(&mut axis, star, DVec3::from_array(cone.axis.map(f64::from)));
-            turn.as_mut()[star] = f64::from(cone.turn);
-            spread.as_mut()[star] = f64::from(cone.spread);
-            size.as_mut()[star] = f64::from(cone.size);
+    pub fn lengths<N: Number>(&self, token: N::Token, vectors: Vectors<N>) -> Vectors<N::Single> {
+        vectors.single().times(N::Single::splat(token, self.scale))
+    }
+
+    /// Areas in units of that edge's square.
+    #[inline(always)]
+    pub fn areas<N: Number>(&self, token: N::Token, vectors: Vectors<N>) -> Vectors<N::Single> {
+        vectors.single().times(N::Single::splat(token, self.scale * self.scale))
+    }
+
+    /// The cones of `vertices`. They are looked up long before they are needed, since they lie far apart.
+    #[inline(always)]
+    pub fn of<S: Single>(&self, vertices: &[u32]) -> ConeRows<S::Row> {
+        let mut rows = [S::Row::default(); 6];
+        for (star, &v) in vertices.iter().enumerate() {
+            let Cone { axis: [x, y, z], turn, spread, size, .. } = self.cones[v as usize];
+            for (row, value) in rows.iter_mut().zip([x, y, z, turn, spread, size]) {
+                row.as_mut()[star] = value;
+            }
         }
-        ConesOf {
-            axis: Vectors::load(token, &axis),
-            turn: N::load(token, &turn),
-            spread: N::load(token, &spread),
-            size: N::load(token, &size),
-        }
+        ConeRows(rows)
+    }
+}
+
+impl<R> ConeRows<R> {
+    /// From memory.
+    #[inline(always)]
+    pub fn load<N: Single<Row = R>>(&self, token: N::Token) -> ConesOf<N> {
+        let [x, y, z, turn, spread, size] = self.0.each_ref().map(|row| N::load(token, row));
+        ConesOf { axis: Vectors { x, y, z }, turn, spread, size }
     }
 }
 
@@ -104,13 +126,13 @@ impl Cone {
         Self { axis: [0.0; 3], turn: f32::INFINITY, spread: f32::INFINITY, bend: f32::INFINITY, size: 0.0 };
 }
 
-impl<N: Number> ConesOf<N> {
+impl<N: Arithmetic> ConesOf<N> {
     /// Where centres that have gone from their original places by `now` are at most `reach` from the planes of all original
     /// triangles that are not thin.
     #[inline(always)]
     pub fn is_near(&self, token: N::Token, now: Vectors<N>, reach: N) -> N::Truth {
-        let (zero, along) = (N::splat(token, 0.0), now.dot(self.axis));
-        let aside = now.square() - along * along;
+        let (zero, along, square) = (N::splat(token, 0.0), now.dot(self.axis), now.square());
+        let aside = square * N::splat(token, 1.0 + BLUR) - along * along;
         // For a unit normal n in the cone |n · now| is at most |along| + sine · |aside|.
         let slack = reach - N::choose(along.below(zero), zero - along, along);
         zero.at_most(slack) & (self.spread * aside).at_most(slack * slack)
@@ -121,17 +143,29 @@ impl<N: Number> ConesOf<N> {
     #[inline(always)]
     pub fn lead(&self, token: N::Token, outward: Vectors<N>) -> N::Truth {
         let along = outward.dot(self.axis);
-        let bound = (N::splat(token, 1.0 + MARGIN) - self.turn) * outward.square();
+        let bound = (N::splat(token, 1.0 + MARGIN) - self.turn) * outward.square() + N::splat(token, TINY);
         N::splat(token, 0.0).below(along) & bound.below(along * along)
     }
 
-    /// Where triangles have turned by less than allowed from every original one.
+    /// Where triangles that are [`CLEAR`] have turned by less than allowed from every original one.
     #[inline(always)]
     pub fn agree(&self, token: N::Token, now: &Witness<N>) -> N::Truth {
         let along = now.normal.dot(self.axis);
-        let bound = self.turn * now.square + N::splat(token, TINY * TINY);
+        let bound = self.turn * now.square + N::splat(token, TINY);
         N::splat(token, 0.0).below(along) & bound.below(along * along)
     }
+}
+
+/// One over the typical edge of a mesh, as a power of two: 1 if there is none.
+fn scale(mesh: &Mesh<'_>) -> f64 {
+    const SAMPLES: usize = 1024;
+    let some = mesh.triangles.iter().step_by(mesh.triangles.len() / SAMPLES + 1);
+    let (sum, count) = some.fold((0.0, 0.0), |(sum, count), triangle| {
+        let [a, b, _] = mesh.corners(triangle);
+        (sum + a.distance_squared(b), count + 1.0)
+    });
+    let edge = (sum / count).sqrt();
+    if edge > 0.0 && edge < f64::INFINITY { libm::ldexp(1.0, -libm::ilogb(edge)) } else { 1.0 }
 }
 
 /// Looks at the original stars.
@@ -140,20 +174,22 @@ struct Look<'a> {
     stars: &'a Stars,
     /// Cosine and sine of the largest turn.
     turn: [f64; 2],
+    /// One over the typical edge.
+    scale: f64,
 }
 
 impl Look<'_> {
     /// Fills in the cones of consecutive vertices.
     #[inline(always)]
     fn fill<S: Simd>(&self, simd: S, first: u32, cones: &mut [Cone]) {
-        let (mut local, all) = (LocalStars::<f64x8<S>>::default(), &self.mesh.positions[..]);
-        let end = first + cones.len() as u32;
+        let (mut local, mut arms) = (LocalStars::<f64x8<S>>::default(), Vec::new());
+        let (all, end) = (&self.mesh.positions[..], first + cones.len() as u32);
         for start in (first..end).step_by(TOGETHER) {
             let vertices = start..end.min(start + TOGETHER as u32);
             for (vertices, count) in Companions::new(vertices, |v| self.stars.valence(v)).companies() {
-                let place = |v: u32| all[v as usize];
-                local.take_places(simd, self.stars, place, place, &vertices);
-                let found = self.cones(simd, &local);
+                local.gather(self.stars, |v: u32| all[v as usize], &vertices);
+                let axis = self.take_arms(simd, &local, &mut arms);
+                let found = self.cones(simd, &local, &arms, axis);
                 for (star, &v) in vertices[..count].iter().enumerate() {
                     cones[(v - first) as usize] = found[star];
                 }
@@ -161,99 +197,155 @@ impl Look<'_> {
         }
     }
 
-    /// The cones of stars that lie as in the original mesh.
+    /// Takes up the rims relative to the centres. Returns unit vectors in the middle of the triangles' normals; not a number
+    /// where there is none.
     #[inline(always)]
-    fn cones<N: Number>(&self, token: N::Token, stars: &LocalStars<N>) -> [Cone; LANES] {
-        let [one, zero] = [1.0, 0.0].map(|value| N::splat(token, value));
-        let axis = axis(token, stars);
-        let (mut all, mut kept) = (Least::new(one), Least::new(one));
+    fn take_arms<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        arms: &mut Vec<Vectors<N::Single>>,
+    ) -> Vectors<N::Single> {
+        let (centres, scale) = (stars.centres(token), N::Single::splat(token, self.scale));
+        arms.clear();
+        let mut sum = Vectors::zero(token);
+        for spoke in stars.spokes() {
+            let arm = spoke.place(token).minus(centres).single().times(scale);
+            if let Some(last) = arms.last() {
+                sum = sum.plus(last.cross(arm));
+            }
+            arms.push(arm);
+        }
+        sum.times(N::Single::splat(token, 1.0) / sum.square().root())
+    }
+
+    /// The cones of stars with these arms and axes.
+    #[inline(always)]
+    fn cones<N: Number>(
+        &self,
+        token: N::Token,
+        stars: &LocalStars<N>,
+        arms: &[Vectors<N::Single>],
+        axis: Vectors<N::Single>,
+    ) -> [Cone; LANES] {
+        let [one, zero] = [1.0, 0.0].map(|value| N::Single::splat(token, value));
+        let (mut all, mut kept) = (one, one);
         let (mut known, mut thin, mut size) = (zero.below(axis.square()), one.below(zero), zero);
-        let mut countdown = stars.countdown(token);
-        let mut a = Arm::new(stars.spokes()[0].place(token));
-        for spoke in &stars.spokes()[1..] {
-            let (b, present) = (Arm::new(spoke.place(token)), countdown.next());
+        let mut countdown = Countdown::new(token, stars.valences(token).single());
+        let mut a = Arm::new(arms[0]);
+        for &arm in &arms[1..] {
+            let (b, present) = (Arm::new(arm), countdown.next());
             let witness = Witness::new(a, b);
-            let (says, along) = (witness.exceeds(token, MEANINGLESS), witness.normal.dot(axis));
-            known = known & (!says | (N::splat(token, TINY).below(witness.square) & zero.below(along)));
-            all.take(along * along, witness.square, says);
-            kept.take(along * along, witness.square, witness.exceeds(token, THIN));
+            let (says, along) = (witness.exceeds(token, 0.99 * MEANINGLESS), witness.normal.dot(axis));
+            let faces = witness.exceeds(token, CLEAR) & zero.below(along);
+            known = known & witness.is_measurable(token) & (!says | faces);
+            let cosine = along * along / witness.square;
+            all = N::Single::choose(says, cosine.lesser(all), all);
+            kept = N::Single::choose(witness.exceeds(token, THIN * (1.0 - MARGIN)), cosine.lesser(kept), kept);
             thin = thin | (present & !witness.exceeds(token, THIN * (1.0 + MARGIN)));
             size = size + b.square.only(token, present);
             a = b;
         }
-        let (all, kept) = (all.ratio(one), kept.ratio(one));
-        known = known & N::splat(token, WIDEST).below(all);
-        let unknown = N::splat(token, f64::INFINITY);
-        let bend = N::choose(thin, unknown, wider(token, (one - all).root()));
-        rows(
-            axis,
-            N::choose(known, self.turn(token, all), unknown),
-            N::choose(known, wider(token, (one - kept).root()), unknown),
-            N::choose(known, bend, unknown),
-            size / stars.valences(token) * N::splat(token, 1.0 - MARGIN),
-        )
+        known = known & N::Single::splat(token, WIDEST).below(all);
+        let unknown = N::Single::splat(token, f64::INFINITY);
+        let [widest, spread] = [all, kept].map(|squared_cosine| sine(token, squared_cosine));
+        let bend = N::Single::choose(thin, unknown, wider(token, widest));
+        let size = size / stars.valences(token).single() * N::Single::splat(token, 1.0 - MARGIN);
+        let [turn, spread, bend] = [self.turn(token, all, widest), wider(token, spread), bend]
+            .map(|number| N::Single::choose(known, number, unknown));
+        rows([axis.x, axis.y, axis.z, turn, spread, bend, size].map(Single::row))
     }
 
-    /// Squared cosines of the largest turn less the angles of which these are the squared cosines.
+    /// Squared cosines of the largest turn less the angles of which these are the squared cosines and the sines.
     #[inline(always)]
-    fn turn<N: Number>(&self, token: N::Token, squared_cosine: N) -> N {
+    fn turn<N: Arithmetic>(&self, token: N::Token, squared_cosine: N, its_sine: N) -> N {
         let [cosine, sine] = self.turn.map(|value| N::splat(token, value));
-        let own_sine = (N::splat(token, 1.0) - squared_cosine).root();
-        wider(token, cosine * squared_cosine.root() + sine * own_sine)
+        wider(token, cosine * squared_cosine.root() + sine * its_sine)
     }
 }
 
-/// Unit vectors in the middle of the normals; not a number where there is none.
+/// Sines, rounded up, of the angles of which these are the squared cosines.
 #[inline(always)]
-fn axis<N: Number>(token: N::Token, stars: &LocalStars<N>) -> Vectors<N> {
-    let [sum, _] = stars.areas(token);
-    sum.times(N::splat(token, 1.0) / sum.square().root())
+fn sine<N: Arithmetic>(token: N::Token, squared_cosine: N) -> N {
+    let least = N::splat(token, BLUR);
+    let square = N::splat(token, 1.0 + BLUR) - squared_cosine;
+    N::choose(square.below(least), least, square).root()
 }
 
 /// The square of a number a little greater.
 #[inline(always)]
-fn wider<N: Number>(token: N::Token, number: N) -> N {
+fn wider<N: Arithmetic>(token: N::Token, number: N) -> N {
     let number = number + N::splat(token, MARGIN);
     number * number
 }
 
 /// Cones, star by star.
 #[inline(always)]
-fn rows<N: Number>(axis: Vectors<N>, turn: N, spread: N, bend: N, size: N) -> [Cone; LANES] {
-    let ([x, y, z], turn, spread, bend, size) = (axis.rows(), turn.row(), spread.row(), bend.row(), size.row());
-    let mut cones = [Cone::UNKNOWN; LANES];
-    for (star, cone) in cones.iter_mut().enumerate().take(N::STARS) {
-        let [x, y, z, turn, spread, bend, size] =
-            [&x, &y, &z, &turn, &spread, &bend, &size].map(|row| row.as_ref()[star] as f32);
-        // What is subnormal has too few digits.
-        let size = if size < f32::MIN_POSITIVE { 0.0 } else { size };
-        *cone = Cone { axis: [x, y, z], turn, spread, bend, size };
-    }
-    cones
+fn rows<R: AsRef<[f32]>>(rows: [R; 7]) -> [Cone; LANES] {
+    std::array::from_fn(|star| {
+        let [x, y, z, turn, spread, bend, size] = rows.each_ref().map(|row| row.as_ref()[star % row.as_ref().len()]);
+        Cone { axis: [x, y, z], turn, spread, bend, size }
+    })
 }
 
-/// The least of several quotients, found without dividing.
-struct Least<N> {
-    above: N,
-    below: N,
-}
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use proptest::prelude::*;
 
-impl<N: Number> Least<N> {
-    #[inline(always)]
-    fn new(one: N) -> Self {
-        Self { above: one, below: one }
+    use super::*;
+    use crate::quality::triangle::Sides;
+
+    /// A closed fan around vertex 0.
+    fn is_flat(positions: &[DVec3], cosine: f64) -> bool {
+        let count = positions.len() as u32;
+        let triangles: Vec<_> = (1..count).map(|i| [0, i, i % (count - 1) + 1]).collect();
+        let positions: Vec<_> = positions.iter().map(DVec3::to_array).collect();
+        let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
+        let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
+        Cones::new(&mesh, &stars, 75.0, &Threads::ONE).unwrap().unwrap().is_flat(0, cosine)
     }
 
-    /// Takes a quotient into account where it `counts`.
-    #[inline(always)]
-    fn take(&mut self, above: N, below: N, counts: N::Truth) {
-        let is_less = counts & (above * self.below).below(self.above * below);
-        self.above = N::choose(is_less, above, self.above);
-        self.below = N::choose(is_less, below, self.below);
+    fn normals(positions: &[DVec3]) -> Vec<DVec3> {
+        let rim = (1..positions.len()).map(|i| [positions[i], positions[i % (positions.len() - 1) + 1]]);
+        rim.map(|[a, b]| (a - positions[0]).cross(b - positions[0])).collect()
     }
 
-    #[inline(always)]
-    fn ratio(self, one: N) -> N {
-        (self.above / self.below).lesser(one)
+    fn fan(height: f64) -> Vec<DVec3> {
+        let rim = (0..6).map(|i| f64::from(i).to_radians() * 60.0);
+        std::iter::once(DVec3::Z * height).chain(rim.map(|a| DVec3::new(a.cos(), a.sin(), 0.0))).collect()
+    }
+
+    #[test]
+    fn tents_are_flat_up_to_an_angle() {
+        let right = 60_f64.to_radians();
+        let height = |degrees: f64| right.sin() * degrees.to_radians().tan();
+        for slope in [0.0, 5.0, 14.5] {
+            assert!(is_flat(&fan(height(slope)), 30_f64.to_radians().cos()), "{slope}");
+        }
+        assert!(!is_flat(&fan(height(15.5)), 30_f64.to_radians().cos()));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn what_is_flat_has_no_thin_triangle_and_no_sharp_edge(
+            (height, scale, thinness, degrees) in (-0.3..0.3, -100..100, 0.0..1.0_f64, 1.0..60.0_f64),
+            bumps in prop::collection::vec((-0.2..0.2, -0.2..0.2, -0.1..0.1), 7),
+        ) {
+            let thin = DVec3::new(1.0, 10_f64.powf(-thinness), 1.0);
+            let positions: Vec<_> = fan(height).iter().zip(bumps).map(|(&p, b)| (p + DVec3::from(b)) * thin).collect();
+            let (cosine, normals) = (f64::to_radians(degrees).cos(), normals(&positions));
+            let scaled: Vec<_> = positions.iter().map(|&p| p * 10_f64.powi(scale)).collect();
+            if is_flat(&scaled, cosine) {
+                for (i, n) in normals.iter().enumerate() {
+                    let corners = [positions[0], positions[i + 1], positions[(i + 1) % 6 + 1]];
+                    prop_assert!(Sides::new(corners).shape() >= THIN);
+                    let n = n.normalize();
+                    prop_assert!(normals.iter().all(|m| m.normalize().dot(n) >= cosine));
+                }
+            }
+        }
     }
 }

@@ -4,12 +4,15 @@ use std::iter::once;
 
 use glam::DVec3;
 
-use super::number::Number;
+use super::number::{Arithmetic, Number};
 use super::vectors::{Vectors, set_vector, vector};
 use crate::mesh::Stars;
 
 /// Stars side by side at most.
 const MOST: usize = 8;
+
+/// Rim vertices of a star in company, at most.
+const ROW: usize = 24;
 
 /// Stars side by side, each relative to its centre, so that nothing depends on where in space it lies. Triangle i of a star
 /// is (centre, rim vertex i, rim vertex i + 1). Reused from stars to stars.
@@ -27,6 +30,8 @@ pub(crate) struct LocalStars<N: Number> {
     longest: usize,
     /// Rim vertex at which the second sector begins; only a crease vertex has two, and only a star alone may be one.
     split: usize,
+    /// Rims of stars in company.
+    rims: [[u32; ROW]; MOST],
     /// As many as the largest star so far has had.
     spokes: Vec<Spoke<N>>,
 }
@@ -87,7 +92,7 @@ pub(crate) struct Countdown<N> {
     one: N,
 }
 
-impl<N: Number> Countdown<N> {
+impl<N: Arithmetic> Countdown<N> {
     /// For stars with `valences` triangles.
     #[inline(always)]
     pub fn new(token: N::Token, valences: N) -> Self {
@@ -114,6 +119,7 @@ impl<N: Number> Default for LocalStars<N> {
             valences: row,
             longest: 0,
             split: usize::MAX,
+            rims: [[0; ROW]; MOST],
             spokes: Vec::new(),
         }
     }
@@ -123,14 +129,10 @@ impl<N: Number> LocalStars<N> {
     /// Takes up the whole stars of `vertices`, each of which is in a triangle; `site` tells where a vertex is.
     #[inline(always)]
     pub fn take(&mut self, token: N::Token, stars: &Stars, site: impl Fn(u32) -> Site, vertices: &N::Vertices) {
-        let rims = self.rims(stars, vertices);
         for star in 0..N::STARS {
             self.set_centre(star, site(vertices.as_ref()[star]));
         }
-        let spokes = &mut self.spokes[..=self.longest];
-        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
-            set_rim(spokes, rim, |spoke, r| spoke.set(star, site(r)));
-        }
+        self.take_rims(stars, vertices, |spoke, star, r| spoke.set(star, site(r)));
         self.center(token);
     }
 
@@ -145,31 +147,62 @@ impl<N: Number> LocalStars<N> {
         origin: impl Fn(u32) -> DVec3,
         vertices: &N::Vertices,
     ) {
-        let rims = self.rims(stars, vertices);
+        self.numbers = *vertices;
         for star in 0..N::STARS {
-            let vertex = vertices.as_ref()[star];
-            self.set_centre(star, Site { vertex, place: place(vertex), origin: origin(vertex) });
+            set_vector(&mut self.origins, star, origin(vertices.as_ref()[star]));
         }
-        let spokes = &mut self.spokes[..=self.longest];
-        for (star, rim) in rims.iter().enumerate().take(N::STARS) {
-            set_rim(spokes, rim, |spoke, r| set_vector(&mut spoke.place, star, place(r)));
-        }
+        self.gather(stars, place, vertices);
         self.center(token);
     }
 
-    /// The rims of stars, for which room is made.
+    /// Just looks up where the vertices of stars are: nothing is relative to the centres yet.
     #[inline(always)]
-    fn rims<'a>(&mut self, stars: &'a Stars, vertices: &N::Vertices) -> [&'a [u32]; MOST] {
-        let (mut rims, mut longest) = ([&[][..]; MOST], 0);
-        for (star, rim) in rims.iter_mut().enumerate().take(N::STARS) {
-            *rim = stars.rim_of_disc(vertices.as_ref()[star]);
-            let valence = rim.len() as u32 - 1;
-            self.valences.as_mut()[star] = f64::from(valence);
-            longest = longest.max(valence);
+    pub fn gather(&mut self, stars: &Stars, place: impl Fn(u32) -> DVec3, vertices: &N::Vertices) {
+        for star in 0..N::STARS {
+            set_vector(&mut self.centres, star, place(vertices.as_ref()[star]));
         }
-        (self.longest, self.split) = (longest as usize, usize::MAX);
+        self.take_rims(stars, vertices, |spoke, star, r| set_vector(&mut spoke.place, star, place(r)));
+    }
+
+    /// Takes up the rims of discs; `set` writes a rim vertex of a star into a spoke.
+    #[inline(always)]
+    fn take_rims(&mut self, stars: &Stars, vertices: &N::Vertices, set: impl Fn(&mut Spoke<N>, usize, u32)) {
+        self.split = usize::MAX;
+        if N::STARS == 1 {
+            let rim = stars.rim_of_disc(vertices.as_ref()[0]);
+            self.valences.as_mut()[0] = f64::from(rim.len() as u32 - 1);
+            self.longest = rim.len() - 1;
+            self.make_room();
+            self.spokes.iter_mut().zip(rim).for_each(|(spoke, &r)| set(spoke, 0, r));
+            return;
+        }
+        self.note_rims(stars, vertices);
         self.make_room();
-        rims
+        // All stars of a spoke, one after the other: nothing depends on how long a rim is.
+        let Self { rims, spokes, longest, .. } = self;
+        for (k, spoke) in (0..ROW).zip(&mut spokes[..=*longest]) {
+            for (star, rim) in rims.iter().enumerate() {
+                set(spoke, star, rim[k]);
+            }
+        }
+    }
+
+    /// Copies the rims of stars in company, so that what is behind them can be looked up without waiting for one after the
+    /// other; behind the end of a rim its last vertex is repeated.
+    #[inline(always)]
+    fn note_rims(&mut self, stars: &Stars, vertices: &N::Vertices) {
+        let (mut ends, mut longest) = ([0; MOST], 0);
+        for (star, (rim, end)) in self.rims.iter_mut().zip(&mut ends).enumerate().take(N::STARS) {
+            *end = stars.copy_rim_of_disc(vertices.as_ref()[star], rim) - 1;
+            self.valences.as_mut()[star] = f64::from(*end as u32);
+            longest = longest.max(*end);
+        }
+        self.longest = longest;
+        for (rim, end) in self.rims.iter_mut().zip(ends) {
+            for k in end..longest.min(ROW - 1) {
+                rim[k + 1] = rim[k];
+            }
+        }
     }
 
     #[inline(always)]
@@ -365,19 +398,6 @@ impl LocalStar {
     pub fn sectors(&self) -> impl Iterator<Item = impl Iterator<Item = DVec3> + Clone> {
         let second = self.is_crease().then_some(self.split()..=self.valence());
         once(0..=self.split()).chain(second).map(|sector| sector.map(|i| self.point(i)))
-    }
-}
-
-/// Writes a rim into the spokes. The loops are as long together for each star, so that their end is foreseen.
-#[inline(always)]
-fn set_rim<N: Number>(spokes: &mut [Spoke<N>], rim: &[u32], set: impl Fn(&mut Spoke<N>, u32)) {
-    let (own, beyond) = spokes.split_at_mut(rim.len());
-    for (spoke, &r) in own.iter_mut().zip(rim) {
-        set(spoke, r);
-    }
-    let end = rim[rim.len() - 1];
-    for spoke in beyond {
-        set(spoke, end);
     }
 }
 

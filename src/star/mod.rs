@@ -18,14 +18,14 @@ mod vectors;
 mod witness;
 
 pub(crate) use company::{Companions, LANES, TOGETHER, companies};
-pub(crate) use cone::Cones;
-pub(crate) use local::{LocalStar, LocalStars, Site, double_vector_area};
-pub(crate) use number::Number;
+pub(crate) use cone::{ConeRows, Cones};
+pub(crate) use local::{Countdown, LocalStar, LocalStars, Site, double_vector_area};
+pub(crate) use number::{Arithmetic, Number, Single};
 pub(crate) use operation::{Draft, Operation};
 pub(crate) use plane::TangentPlane;
 pub(crate) use sizes::Sizes;
 pub(crate) use vectors::{Vectors, set_vector, vector};
-pub(crate) use witness::{Arm, MEANINGLESS, THIN, Witness};
+pub(crate) use witness::{Arm, CLEAR, MEANINGLESS, THIN, Witness};
 
 #[cfg(test)]
 mod tests {

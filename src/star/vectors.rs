@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::number::Number;
+use super::number::{Arithmetic, Number};
 
 /// A vector for each star.
 #[derive(Clone, Copy)]
@@ -14,12 +14,6 @@ pub(crate) struct Vectors<N> {
 
 impl<N: Number> Vectors<N> {
     #[inline(always)]
-    pub fn zero(token: N::Token) -> Self {
-        let zero = N::splat(token, 0.0);
-        Self { x: zero, y: zero, z: zero }
-    }
-
-    #[inline(always)]
     pub fn load(token: N::Token, [x, y, z]: &[N::Row; 3]) -> Self {
         Self { x: N::load(token, x), y: N::load(token, y), z: N::load(token, z) }
     }
@@ -29,6 +23,26 @@ impl<N: Number> Vectors<N> {
         self.x.store(x);
         self.y.store(y);
         self.z.store(z);
+    }
+
+    /// The vectors of the stars.
+    #[inline(always)]
+    pub fn rows(self) -> [N::Row; 3] {
+        [self.x.row(), self.y.row(), self.z.row()]
+    }
+
+    /// Rounded to single precision.
+    #[inline(always)]
+    pub fn single(self) -> Vectors<N::Single> {
+        Vectors { x: self.x.single(), y: self.y.single(), z: self.z.single() }
+    }
+}
+
+impl<N: Arithmetic> Vectors<N> {
+    #[inline(always)]
+    pub fn zero(token: N::Token) -> Self {
+        let zero = N::splat(token, 0.0);
+        Self { x: zero, y: zero, z: zero }
     }
 
     #[inline(always)]
@@ -76,12 +90,6 @@ impl<N: Number> Vectors<N> {
     #[inline(always)]
     pub fn choose(truth: N::Truth, yes: Self, no: Self) -> Self {
         Self { x: N::choose(truth, yes.x, no.x), y: N::choose(truth, yes.y, no.y), z: N::choose(truth, yes.z, no.z) }
-    }
-
-    /// The vectors of the stars.
-    #[inline(always)]
-    pub fn rows(self) -> [N::Row; 3] {
-        [self.x.row(), self.y.row(), self.z.row()]
     }
 }
 

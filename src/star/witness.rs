@@ -1,6 +1,6 @@
 //! Normal and shape of a triangle of each star.
 
-use super::number::Number;
+use super::number::Arithmetic;
 use super::vectors::Vectors;
 
 /// Original shape below which a triangle's normal says nothing: comparing with it would freeze exactly those triangles
@@ -9,6 +9,13 @@ pub(crate) const MEANINGLESS: f64 = 1e-3;
 
 /// Original shape below which a triangle's own normal is not believed, nor its plane worth keeping.
 pub(crate) const THIN: f64 = 0.3;
+
+/// Shape from which on single precision tells where a triangle faces.
+pub(crate) const CLEAR: f64 = 0.005;
+
+/// What is computed in single precision keeps its digits while fourth powers of lengths are within these bounds.
+pub(super) const TINY: f64 = 1e-30;
+const HUGE: f64 = 1e30;
 
 /// Triangles with the apex at the origin. Shapes are compared by their squares, which saves the square roots.
 pub(crate) struct Witness<N> {
@@ -27,14 +34,14 @@ pub(crate) struct Arm<N> {
     pub square: N,
 }
 
-impl<N: Number> Arm<N> {
+impl<N: Arithmetic> Arm<N> {
     #[inline(always)]
     pub fn new(end: Vectors<N>) -> Self {
         Self { end, square: end.square() }
     }
 }
 
-impl<N: Number> Witness<N> {
+impl<N: Arithmetic> Witness<N> {
     /// The triangles (0, a, b).
     #[inline(always)]
     pub fn new(a: Arm<N>, b: Arm<N>) -> Self {
@@ -58,7 +65,19 @@ impl<N: Number> Witness<N> {
     /// Where the shape is above a bound.
     #[inline(always)]
     pub fn exceeds(&self, token: N::Token, shape: f64) -> N::Truth {
-        (self.bulk * N::splat(token, shape * shape)).below(self.area(token))
+        self.surpasses(token, N::splat(token, shape * shape))
+    }
+
+    /// Where the squared shape is above `bar`.
+    #[inline(always)]
+    pub fn surpasses(&self, token: N::Token, bar: N) -> N::Truth {
+        (self.bulk * bar).below(self.area(token))
+    }
+
+    /// Where the triangle is neither too small nor too large for single precision.
+    #[inline(always)]
+    pub fn is_measurable(&self, token: N::Token) -> N::Truth {
+        N::splat(token, TINY).below(self.bulk) & self.bulk.below(N::splat(token, HUGE))
     }
 
     /// Where the squared shape is not below `bar`.

@@ -6,7 +6,7 @@ use super::outcome::{Outcome, Outcomes};
 use super::places::Places;
 use super::surroundings::Surroundings;
 use crate::deviation::Surface;
-use crate::guard::{Guard, Scene, glance};
+use crate::guard::{Guard, Known, Scene, glance};
 use crate::star::{Cones, Number, Vectors, set_vector, vector};
 
 /// How often a step is halved before the vertex stays.
@@ -55,14 +55,20 @@ impl<N: Number> End<'_, N> {
 
     /// Carries out those steps of the stars `open` that may plainly be. Returns the stars that are left.
     #[inline(always)]
-    pub fn carry_out_plainly(&self, token: N::Token, cones: &Cones, step: Vectors<N>, open: u64) -> u64 {
+    pub fn carry_out_plainly(
+        &self,
+        token: N::Token,
+        known: (&Cones, &Known<N::Single>),
+        step: Vectors<N>,
+        open: u64,
+    ) -> u64 {
         let centres = self.scene.stars.centres(token);
         let places = self.storable(centres.plus(step));
         let exact = Vectors::<N>::load(token, &places).minus(centres);
         let settled = open & N::bits(exact.is_zero(token));
         self.note(settled, Outcome::Settled);
         let open = open & !settled;
-        let admitted = open & self.glance(token, cones, (exact, open));
+        let admitted = open & glance(token, self.scene, known, self.around.floor, (exact, open));
         let moved = admitted & !self.too_far(admitted, &places);
         self.go(moved, &places);
         open & !moved
@@ -94,11 +100,6 @@ impl<N: Number> End<'_, N> {
         self.tally.refused += open.count_ones() as usize;
         self.note(open & too_far, Outcome::Deviation);
         self.note(open & !too_far, Outcome::Guard);
-    }
-
-    #[inline(always)]
-    fn glance(&self, token: N::Token, cones: &Cones, step: (Vectors<N>, u64)) -> u64 {
-        glance(token, self.scene, cones, |v| self.around.leash(v), self.around.floor, step)
     }
 
     /// The nearest positions that the caller's buffers can hold.

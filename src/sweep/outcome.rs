@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
 
 use crate::error::Error;
-use crate::memory;
+use crate::threads::Threads;
 
 /// What became of a vertex at its last visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,10 +29,8 @@ pub(crate) struct Outcomes(Vec<AtomicU8>);
 
 impl Outcomes {
     /// Nothing visited yet.
-    pub fn new(vertex_count: usize) -> Result<Self, Error> {
-        let mut outcomes = memory::reserved(vertex_count)?;
-        outcomes.resize_with(vertex_count, || AtomicU8::new(Outcome::Unvisited as u8));
-        Ok(Self(outcomes))
+    pub fn new(vertex_count: usize, threads: &Threads<'_>) -> Result<Self, Error> {
+        Ok(Self(threads.collect(vertex_count, |_| AtomicU8::new(Outcome::Unvisited as u8))?))
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@ use super::outcome::Outcomes;
 use super::places::Places;
 use super::surroundings::Surroundings;
 use crate::features::Role;
-use crate::guard::Guard;
+use crate::guard::{Guard, Known};
 use crate::star::{Cones, Draft, LANES, LocalStars, Number, Vectors, companies, vector};
 
 /// Fewest stars that are visited faster side by side than one after the other.
@@ -152,12 +152,13 @@ impl<N: Number> Visit<N> {
         outcomes: &Outcomes,
     ) -> (Vectors<N>, u64) {
         let origins = &around.mesh.positions[..];
+        let known = Known::of(cones, |v| around.leash(v), vertices.as_ref());
         self.stars.take_places(token, around.stars, places.reader(), |v| origins[v as usize], vertices);
         let scene = &around.scene(token, &self.stars, vertices);
         let (step, exist) = around.wish(token, scene, &mut self.draft);
         let end = End { around, scene, places, outcomes, tally: Tally::default() };
         let open = end.begin(count, exist);
-        (step, end.carry_out_plainly(token, cones, step, open))
+        (step, end.carry_out_plainly(token, (cones, &known), step, open))
     }
 
     /// The end of the visits of the stars `open`, whose steps are known.
