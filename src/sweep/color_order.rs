@@ -14,8 +14,8 @@ use crate::error::Error;
 use crate::progress::{self, Progress};
 use crate::threads::Threads;
 
-/// Tasks that are given to several threads before the host is told of progress.
-const BATCH: usize = 32;
+/// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one.
+const BATCH: usize = 1 << 20;
 
 /// Sweeps `iterations` times over all vertices. `tell` hears the share of the sweeps that is done.
 pub(super) fn run(
@@ -64,11 +64,24 @@ impl Sweeps<'_> {
     /// Carries out tasks that don't wait for each other.
     fn at_once(&mut self, tell: &mut Progress<'_>, tasks: &[Task<'_>]) -> Result<(), Error> {
         let Self { around, places, outcomes, .. } = *self;
-        for batch in tasks.chunks(if self.threads.is_one() { 1 } else { BATCH }) {
+        let mut left = tasks;
+        while !left.is_empty() {
             progress::tell(tell, self.visited as f64 / self.total as f64)?;
+            let (batch, others) = left.split_at(if self.threads.is_one() { 1 } else { batch(left) });
             self.tally += self.threads.sum(0..batch.len(), |i| batch[i].carry_out(around, places, outcomes));
             self.visited += batch.iter().map(|task| task.vertices.len()).sum::<usize>();
+            left = others;
         }
         Ok(())
     }
+}
+
+/// How many tasks make a batch.
+fn batch(tasks: &[Task<'_>]) -> usize {
+    let mut vertices = 0;
+    let is_full = |task: &Task<'_>| {
+        vertices += task.vertices.len();
+        vertices >= BATCH
+    };
+    tasks.iter().position(is_full).map_or(tasks.len(), |last| last + 1)
 }

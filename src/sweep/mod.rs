@@ -1,6 +1,7 @@
 //! Sweeps: which stars are visited in which order, and what a visit does.
 
 mod color_order;
+mod colors;
 mod end;
 mod given_order;
 mod in_turn;

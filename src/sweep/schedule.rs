@@ -2,22 +2,20 @@
 
 use std::ops::Range;
 
+use super::colors::{self, COLORS, Counts};
 use super::surroundings::Surroundings;
 use super::task::Task;
 use super::turns::{self, Turn};
 use crate::error::Error;
 use crate::memory;
-use crate::star::TOGETHER;
+use crate::star::{LANES, TOGETHER};
 use crate::threads::{PART, Threads};
 
 /// Vertices of consecutive numbers that make a block: a power of two.
 pub(super) const BLOCK: usize = 512;
 
-/// Colours at most. Vertices for which none is left are visited one by one.
-const COLORS: usize = 63;
-
-/// Vertices of a task, at most.
-const TASK: usize = BLOCK * TOGETHER;
+/// Vertices of a task on the border, at most: few enough for all threads to end at about the same time.
+const TASK: usize = 128 * TOGETHER;
 
 /// The vertices that may move, in the order of their visits. It depends on the mesh alone.
 pub(super) struct Schedule {
@@ -37,24 +35,24 @@ struct Lot {
 
 /// What a vertex is, in a byte: one of these, or its colour. Divided by 64, each of these leaves what no colour does, so that
 /// a set of colours in 64 bits has a place for them.
-const STAYS: u8 = 255;
-const INNER: u8 = 191;
-const BORDER: u8 = 127;
+pub(super) const STAYS: u8 = 255;
+pub(super) const INNER: u8 = 191;
+pub(super) const BORDER: u8 = 127;
 const _: () = assert!(STAYS % 64 == 63 && INNER % 64 == 63 && BORDER % 64 == 63 && COLORS == 63);
 
 impl Schedule {
     pub fn new(around: &Surroundings<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
-        let mut marks = memory::filled(STAYS, around.stars.len())?;
+        let mut marks = threads.filled(STAYS, around.stars.len())?;
         threads.each(marks.chunks_mut(PART).enumerate().collect(), |(part, marks)| {
             for (v, mark) in ((part * PART) as u32..).zip(marks) {
                 *mark = around.mark(v);
             }
         });
         let count = marks.iter().filter(|&&mark| mark != STAYS).count();
-        let mut schedule = Self { vertices: memory::filled(0, count)?, rounds: Vec::new() };
+        let mut schedule = Self { vertices: threads.filled(0, count)?, rounds: Vec::new() };
         let inner = schedule.add_blocks(around, &marks, threads)?;
-        let counts = greedy(around, &mut marks);
-        schedule.add_border(around, inner, (&marks, counts), threads);
+        let counts = colors::give(around, &mut marks, threads);
+        schedule.add_border(around, inner, (&marks, &counts), threads);
         Ok(schedule)
     }
 
@@ -84,26 +82,21 @@ impl Schedule {
 
     /// Adds the inside of all blocks, several blocks side by side. Returns how many vertices that are.
     fn add_blocks(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) -> Result<usize, Error> {
-        let (mut end, mut blocks) = (0, memory::reserved(marks.len().div_ceil(BLOCK))?);
-        for (block, marks) in marks.chunks(BLOCK).enumerate() {
-            let (start, first) = (end, (block * BLOCK) as u32);
-            for (v, &mark) in (first..).zip(marks) {
-                // The next one takes the place if this is no inner vertex: cheaper than to ask, since nobody foretells it.
-                let Some(place) = self.vertices.get_mut(end) else { break };
-                *place = v;
-                end += usize::from(mark == INNER);
-            }
-            blocks.push(start..end);
+        let parts: Vec<_> = marks.chunks(BLOCK * blocks_at_once(marks.len(), threads)).collect();
+        let inner = |marks: &[u8]| marks.iter().filter(|&&mark| mark == INNER).count();
+        let counts = threads.map(0..parts.len(), |part| inner(parts[part]));
+        let (mut work, mut left, mut first) = (Vec::new(), &mut self.vertices[..], 0);
+        for (marks, &count) in parts.into_iter().zip(&counts) {
+            let (own, others) = left.split_at_mut(count);
+            work.push((first, marks, own));
+            (first, left) = (first + marks.len() as u32, others);
         }
-        let (mut work, mut left) = (Vec::new(), &mut self.vertices[..end]);
-        for parts in blocks.chunks(TOGETHER) {
-            let (own, others) = left.split_at_mut(parts.iter().map(ExactSizeIterator::len).sum());
-            work.push((parts, own));
-            left = others;
-        }
-        let turns = threads.map_each(work, |(parts, own)| turns::side_by_side(around, own, parts));
+        let turns = threads.map_each(work, |(first, marks, own)| {
+            let blocks = fill(own, first, marks)?;
+            turns::side_by_side(around, own, &blocks)
+        });
         self.rounds.push(lots(0, turns.into_iter().collect::<Result<_, _>>()?));
-        Ok(end)
+        Ok(counts.into_iter().sum())
     }
 
     /// Adds the border from place `first` on, colour by colour; how many there are of each comes with the marks.
@@ -111,25 +104,45 @@ impl Schedule {
         &mut self,
         around: &Surroundings<'_>,
         first: usize,
-        (marks, counts): (&[u8], [usize; COLORS + 1]),
+        (marks, counts): (&[u8], &[Counts]),
         threads: &Threads<'_>,
     ) {
-        let mut next = [first; COLORS + 2];
-        for color in 0..=COLORS {
-            next[color + 1] = next[color] + counts[color];
-        }
-        let starts = next;
-        for (v, &mark) in (0..).zip(marks) {
-            if let Some(next) = next[..=COLORS].get_mut(usize::from(mark)) {
-                self.vertices[*next] = v;
-                *next += 1;
+        let border = &mut self.vertices[first..];
+        colors::sort(marks, counts, border, threads);
+        let (mut start, mut left) = (first, border);
+        for color in 0..COLORS {
+            let (own, others) = left.split_at_mut(counts.iter().map(|counts| counts[color]).sum());
+            let count = own.len();
+            if count > 0 {
+                let own = own.chunks_mut(TASK).collect();
+                self.rounds.push(lots(start, threads.map_each(own, |own| turns::apart(around, own))));
             }
-        }
-        for (color, &start) in starts[..COLORS].iter().enumerate().filter(|&(color, _)| counts[color] > 0) {
-            let own = self.vertices[start..starts[color + 1]].chunks_mut(TASK).collect();
-            self.rounds.push(lots(start, threads.map_each(own, |own| turns::apart(around, own))));
+            (start, left) = (start + count, others);
         }
     }
+}
+
+/// Blocks that go side by side: as many as there can be, but so that all threads have about the same to do.
+fn blocks_at_once(vertices: usize, threads: &Threads<'_>) -> usize {
+    let blocks = vertices.div_ceil(BLOCK).max(1);
+    let tasks = blocks.div_ceil(TOGETHER * threads.count()) * threads.count();
+    blocks.div_ceil(tasks).next_multiple_of(LANES)
+}
+
+/// Fills in the inner vertices of blocks, the first of which begins with vertex `first`. Returns where those of each are.
+fn fill(own: &mut [u32], first: u32, marks: &[u8]) -> Result<Vec<Range<usize>>, Error> {
+    let (mut end, mut blocks) = (0, memory::reserved(marks.len().div_ceil(BLOCK))?);
+    for (first, marks) in (first..).step_by(BLOCK).zip(marks.chunks(BLOCK)) {
+        let start = end;
+        for (v, &mark) in (first..).zip(marks) {
+            // The next one takes the place if this is no inner vertex: cheaper than to ask, since nobody foretells it.
+            let Some(place) = own.get_mut(end) else { break };
+            *place = v;
+            end += usize::from(mark == INNER);
+        }
+        blocks.push(start..end);
+    }
+    Ok(blocks)
 }
 
 /// Tasks one behind the other.
@@ -168,24 +181,6 @@ fn lies_in_block(rim: &[u32], v: u32) -> bool {
     (differing.iter().fold(0, |all, bits| all | bits) as usize) < BLOCK
 }
 
-/// Gives each vertex of the border, by index, the first colour that none of its neighbours there has. Returns how many there
-/// are of each colour, and for how many none was left.
-fn greedy(around: &Surroundings<'_>, marks: &mut [u8]) -> [usize; COLORS + 1] {
-    let mut counts = [0; COLORS + 1];
-    for v in 0..marks.len() {
-        if marks[v] != BORDER {
-            continue;
-        }
-        // The last bit is no colour's, and may be set or not.
-        let rim = around.stars.rim_of_disc(v as u32);
-        let taken = rim.iter().fold(0_u64, |taken, &r| taken | 1 << (marks[r as usize] % 64));
-        let color = (taken.trailing_ones() as usize).min(COLORS);
-        marks[v] = color as u8;
-        counts[color] += 1;
-    }
-    counts
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::HashMap;
@@ -218,6 +213,8 @@ mod tests {
                 .unwrap();
         let around = prepared.surroundings(&options);
         let schedule = Schedule::new(&around, &Threads::ONE).unwrap();
+        let several = Threads::with(3, 1_000_000, |threads| Schedule::new(&around, threads)).unwrap();
+        assert!(several.rest() == schedule.rest() && several.rounds().skip(1).eq(schedule.rounds().skip(1)));
         let mut seen: Vec<u32> = schedule.rest().to_vec();
         for round in schedule.rounds() {
             let mut owners = HashMap::new();
@@ -249,5 +246,7 @@ mod tests {
         check([40, 30], true);
         assert!(check([199, 399], false) > 4);
         assert!(check([199, 399], true) > 4);
+        // More than one thread gives colours to, in rows that are longer than blocks.
+        assert!(check([799, 399], false) > 4);
     }
 }

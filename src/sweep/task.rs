@@ -10,7 +10,7 @@ use super::turns::Turn;
 use super::visit::Visitor;
 
 /// Stars that one thread visits, turn by turn.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Task<'a> {
     pub vertices: &'a [u32],
     /// What `vertices` consist of.
