@@ -280,7 +280,8 @@ fn link_alone(
     link(rim, own, starts)
 }
 
-/// Parts into which the vertices are divided for counting, each of which takes another look at all triangles.
+/// Parts into which the vertices are divided for counting, each of which takes another look at the triangles: at all of them if
+/// the mesh is numbered at random, else at few more than its own.
 const LOOKS: usize = 8;
 
 /// Vertices of such a part.
@@ -307,10 +308,12 @@ fn slot_ends(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Vec<u32>, Error> 
 /// Counts the triangles around the vertices from `first` on. For 0, which takes no subtraction, it is compiled apart.
 #[inline(always)]
 fn count(mesh: &Mesh<'_>, first: usize, counts: &mut [u32]) {
-    for corners in mesh.triangles.iter().filter(|t| !repeats_a_vertex(t)) {
-        for &v in corners {
-            if let Some(count) = counts.get_mut((v as usize).wrapping_sub(first)) {
-                *count += 1;
+    for (_, triangles) in mesh.parts_with(first..first + counts.len()) {
+        for corners in triangles.iter().filter(|t| !repeats_a_vertex(t)) {
+            for &v in corners {
+                if let Some(count) = counts.get_mut((v as usize).wrapping_sub(first)) {
+                    *count += 1;
+                }
             }
         }
     }
@@ -347,11 +350,15 @@ fn fill(
     (start, slots): (usize, &mut [u32]),
     taken: impl Fn(&[u32; 3]) -> bool,
 ) {
-    for (t, corners) in mesh.triangles.iter().enumerate().rev().filter(|(_, corners)| taken(corners)) {
-        for &v in corners {
-            if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
-                *next -= 1;
-                slots[*next as usize - start] = t as u32;
+    for (number, triangles) in mesh.parts_with(first..first + ends.len()).rev() {
+        for (t, corners) in
+            (number..number + triangles.len()).zip(triangles).rev().filter(|(_, corners)| taken(corners))
+        {
+            for &v in corners {
+                if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
+                    *next -= 1;
+                    slots[*next as usize - start] = t as u32;
+                }
             }
         }
     }

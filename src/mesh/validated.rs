@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
+use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 
 use super::{Coordinate, Vertices};
 use crate::error::Error;
-use crate::threads::Threads;
+use crate::threads::{PART, Threads};
 
 /// A mesh that the upper layers can trust. Triangles that name a vertex twice are still in it: no star takes them up.
 pub(crate) struct Mesh<'a> {
@@ -14,6 +15,8 @@ pub(crate) struct Mesh<'a> {
     pub positions: Vec<DVec3>,
     /// Corners of each triangle.
     pub triangles: &'a [[u32; 3]],
+    /// The least and the greatest corner of each [`PART`] of the triangles.
+    spans: Vec<[u32; 2]>,
     /// Power of two by which positions were divided, so that squares and cubes of them stay within range.
     pub unit: f64,
     /// Whether the caller's buffer holds single precision.
@@ -30,7 +33,7 @@ impl<'a> Mesh<'a> {
         let vertex_count = positions.count();
         check_counts(vertex_count, triangles.len())?;
         let parts = threads.parts(triangles.len(), |part| check_indices(triangles, part, vertex_count));
-        parts.into_iter().collect::<Result<(), Error>>()?;
+        let spans = parts.into_iter().collect::<Result<_, Error>>()?;
         let parts = threads.parts(vertex_count, |part| largest_coordinate(positions, part));
         let unit = unit_of(parts.into_iter().try_fold(0.0, |largest, part| Ok(f64::max(largest, part?)))?);
         // Scaling down takes two steps where the reciprocal itself would be subnormal.
@@ -40,7 +43,17 @@ impl<'a> Mesh<'a> {
         } else {
             threads.collect(vertex_count, |v| read(v) / unit)?
         };
-        Ok(Self { positions: scaled, triangles, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
+        Ok(Self { positions: scaled, triangles, spans, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
+    }
+
+    /// The triangles, part by part, without those parts in which no corner is one of these `vertices`. With each part goes the number
+    /// of its first triangle.
+    #[inline(always)]
+    pub fn parts_with(&self, vertices: Range<usize>) -> impl DoubleEndedIterator<Item = (usize, &'a [[u32; 3]])> {
+        let parts = self.triangles.chunks(PART).zip(&self.spans).enumerate();
+        let meets =
+            move |&[least, greatest]: &[u32; 2]| (least as usize) < vertices.end && greatest as usize >= vertices.start;
+        parts.filter(move |(_, (_, span))| meets(span)).map(|(part, (triangles, _))| (part * PART, triangles))
     }
 
     /// Positions of the corners of a triangle.
@@ -90,10 +103,12 @@ fn check_counts(vertices: usize, triangles: usize) -> Result<(), Error> {
     Ok(())
 }
 
-fn check_indices(triangles: &[[u32; 3]], part: Range<usize>, vertex_count: usize) -> Result<(), Error> {
-    let largest = triangles[part.clone()].as_flattened().iter().fold(0, |largest, &index| largest.max(index));
-    if (largest as usize) < vertex_count {
-        return Ok(());
+/// Returns the least and the greatest index of a part of the triangles.
+fn check_indices(triangles: &[[u32; 3]], part: Range<usize>, vertex_count: usize) -> Result<[u32; 2], Error> {
+    let indices = triangles[part.clone()].as_flattened();
+    let span = dispatch!(Level::new(), _simd => span(indices));
+    if (span[1] as usize) < vertex_count {
+        return Ok(span);
     }
     // Only now does it matter which it was.
     for triangle in part {
@@ -103,7 +118,18 @@ fn check_indices(triangles: &[[u32; 3]], part: Range<usize>, vertex_count: usize
             }
         }
     }
-    Ok(())
+    Ok(span)
+}
+
+/// The least and the greatest of several numbers.
+#[inline(always)]
+fn span(numbers: &[u32]) -> [u32; 2] {
+    let (mut least, mut greatest) = (u32::MAX, 0);
+    for &number in numbers {
+        least = least.min(number);
+        greatest = greatest.max(number);
+    }
+    [least, greatest]
 }
 
 fn largest_coordinate<T: Coordinate>(

@@ -18,7 +18,10 @@ const SHARE: usize = 1 << 18;
 pub(super) fn give(around: &Surroundings<'_>, marks: &mut [u8], threads: &Threads<'_>) -> Vec<Counts> {
     let shares: Vec<_> = marks.chunks_mut(SHARE).enumerate().collect();
     let is_whole = shares.len() <= 1;
-    let mut counts = threads.map_each(shares, |(share, marks)| give_inside(around, share * SHARE, marks));
+    let mut counts = threads.map_each(shares, |(share, marks)| match is_whole {
+        true => give_to(around, marks),
+        false => give_inside(around, share * SHARE, marks),
+    });
     if !is_whole {
         for v in 0..marks.len() {
             if marks[v] == BORDER {
@@ -26,6 +29,19 @@ pub(super) fn give(around: &Surroundings<'_>, marks: &mut [u8], threads: &Thread
                 marks[v] = first_left(taken);
                 counts[v / SHARE][usize::from(marks[v])] += 1;
             }
+        }
+    }
+    counts
+}
+
+/// The same for a whole mesh.
+fn give_to(around: &Surroundings<'_>, marks: &mut [u8]) -> Counts {
+    let mut counts = [0; COLORS + 1];
+    for v in 0..marks.len() {
+        if marks[v] == BORDER {
+            let color = first_left(around.stars.rim_of_disc(v as u32).iter().map(|&r| marks[r as usize]));
+            marks[v] = color;
+            counts[usize::from(color)] += 1;
         }
     }
     counts
