@@ -17,6 +17,12 @@ use crate::threads::Threads;
 /// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one.
 const BATCH: usize = 1 << 20;
 
+/// The same in shares for each thread.
+const BATCH_OF_SHARES: usize = 16;
+
+/// Shares for each thread from which on threads take whole shares, and nobody waits for a round.
+const MANY: usize = 4;
+
 /// Sweeps `iterations` times over all vertices. `tell` hears the share of the sweeps that is done.
 pub(super) fn run(
     around: &Surroundings<'_>,
@@ -32,7 +38,8 @@ pub(super) fn run(
     let mut sweeps =
         Sweeps { around, places, outcomes, threads, schedule: &schedule, visited: 0, total, tally: Tally::default() };
     for _ in 0..iterations {
-        for round in schedule.rounds() {
+        sweeps.shares(tell)?;
+        for round in schedule.seams() {
             sweeps.at_once(tell, &round)?;
         }
         sweeps.one_by_one();
@@ -59,6 +66,32 @@ impl Sweeps<'_> {
         rest.iter().for_each(|&v| visitor.visit(v, self.places, self.outcomes));
         self.tally += visitor.tally;
         self.visited += rest.len();
+    }
+
+    /// Visits the shares: one by one or several at once if there are many, else round by round.
+    fn shares(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
+        let schedule = self.schedule;
+        if self.threads.is_one() {
+            return schedule.shares().flatten().try_for_each(|round| self.at_once(tell, &round));
+        }
+        let mut shares = schedule.shares();
+        if shares.len() < MANY * self.threads.count() {
+            return schedule.rounds().try_for_each(|round| self.at_once(tell, &round));
+        }
+        let Self { around, places, outcomes, threads, .. } = *self;
+        while shares.len() > 0 {
+            progress::tell(tell, self.visited as f64 / self.total as f64)?;
+            let batch = shares.by_ref().take(BATCH_OF_SHARES * threads.count()).collect();
+            let done = threads.map_each(batch, |rounds| {
+                let carry_out = |task: Task<'_>| (task.carry_out(around, places, outcomes), task.vertices.len());
+                rounds.flatten().map(carry_out).collect::<Vec<_>>()
+            });
+            for (tally, visited) in done.into_iter().flatten() {
+                self.tally += tally;
+                self.visited += visited;
+            }
+        }
+        Ok(())
     }
 
     /// Carries out tasks that don't wait for each other.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::colors::{self, COLORS, Counts};
+use super::colors::{self, COLORS, Counts, SEAM, SHARE};
 use super::surroundings::Surroundings;
 use super::task::Task;
 use super::turns::{self, Turn};
@@ -14,17 +14,23 @@ use crate::threads::{PART, Threads};
 /// Vertices of consecutive numbers that make a block: a power of two.
 pub(super) const BLOCK: usize = 512;
 
-/// Vertices of a task on the border, at most: few enough for all threads to end at about the same time.
+/// Vertices of a task between the blocks, at most: few enough for all threads to end at about the same time.
 const TASK: usize = 128 * TOGETHER;
 
 /// The vertices that may move, in the order of their visits. It depends on the mesh alone.
 pub(super) struct Schedule {
-    /// First the inner vertices of the blocks: their neighbours lie in their own block, or don't move. Then the others, by
-    /// colour: no two of one colour are neighbours. Then those that no colour was left for.
+    /// Share by share of the mesh, first the inner vertices of the blocks: their neighbours lie in their own block, or don't move.
+    /// Then by colour those that have neighbours in other blocks, but not in other shares: no two of one colour are neighbours.
+    /// Then those of the seams between all shares, by colour. Then those that no colour was left for.
     vertices: Vec<u32>,
-    /// Tasks that don't wait for each other, round by round.
-    rounds: Vec<Vec<Lot>>,
+    /// For each share its rounds, which wait for each other, but not for those of other shares.
+    shares: Vec<Vec<Round>>,
+    /// Those of the seams.
+    seams: Vec<Round>,
 }
+
+/// Tasks that don't wait for each other.
+type Round = Vec<Lot>;
 
 /// What a task consists of.
 struct Lot {
@@ -48,12 +54,15 @@ impl Schedule {
                 *mark = around.mark(v);
             }
         });
-        let count = marks.iter().filter(|&&mark| mark != STAYS).count();
-        let mut schedule = Self { vertices: threads.filled(0, count)?, rounds: Vec::new() };
-        let inner = schedule.add_blocks(around, &marks, threads)?;
         let counts = colors::give(around, &mut marks, threads);
-        schedule.add_border(around, inner, (&marks, &counts), threads);
-        Ok(schedule)
+        let mut vertices = threads.filled(0, counts.iter().map(Counts::total).sum())?;
+        let places = places(&marks, &counts, &mut vertices);
+        let shares = threads.map_each(places, |share| share.arrange(around, threads));
+        let shares = shares.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let first = counts.iter().map(Counts::own).sum();
+        let sizes = |color: usize| counts.iter().map(|counts| counts.marked[SEAM + color]).sum();
+        let seams = by_color(around, first, &mut vertices[first..], sizes, threads);
+        Ok(Self { vertices, shares, seams })
     }
 
     /// How many vertices there are.
@@ -61,65 +70,118 @@ impl Schedule {
         self.vertices.len()
     }
 
-    /// Tasks that don't wait for each other, round by round.
-    pub fn rounds(&self) -> impl Iterator<Item = Vec<Task<'_>>> {
-        self.rounds.iter().map(|round| round.iter().map(|lot| self.task(lot)).collect())
+    /// For each share its rounds, which wait for each other, but not for those of other shares.
+    pub fn shares(&self) -> impl ExactSizeIterator<Item = impl Iterator<Item = Vec<Task<'_>>>> {
+        self.shares.iter().map(|rounds| rounds.iter().map(|round| self.tasks(round).collect()))
     }
 
-    fn task<'a>(&'a self, lot: &'a Lot) -> Task<'a> {
-        Task { vertices: &self.vertices[lot.vertices.clone()], turns: &lot.turns }
+    /// The same, the first rounds of all shares at once, then the second ones, and so on.
+    pub fn rounds(&self) -> impl Iterator<Item = Vec<Task<'_>>> {
+        let most = self.shares.iter().map(Vec::len).max().unwrap_or(0);
+        (0..most)
+            .map(|nth| self.shares.iter().filter_map(|rounds| rounds.get(nth)).flat_map(|r| self.tasks(r)).collect())
+    }
+
+    /// What comes after all shares, round by round.
+    pub fn seams(&self) -> impl Iterator<Item = Vec<Task<'_>>> {
+        self.seams.iter().map(|round| self.tasks(round).collect())
+    }
+
+    fn tasks<'a>(&'a self, round: &'a Round) -> impl Iterator<Item = Task<'a>> {
+        round.iter().map(|lot| Task { vertices: &self.vertices[lot.vertices.clone()], turns: &lot.turns })
     }
 
     /// The vertices that are in no task, to be visited one by one.
     pub fn rest(&self) -> &[u32] {
-        &self.vertices[self.end()..]
+        let last = |rounds: &Vec<Round>| rounds.last().and_then(|round| round.last()).map(|lot| lot.vertices.end);
+        let end = last(&self.seams).or_else(|| self.shares.iter().rev().find_map(last));
+        &self.vertices[end.unwrap_or(0)..]
     }
+}
 
-    /// End of the last task.
-    fn end(&self) -> usize {
-        self.rounds.last().and_then(|round| round.last()).map_or(0, |lot| lot.vertices.end)
-    }
+/// A share of the mesh, and the places for its vertices in the schedule.
+struct Share<'a> {
+    /// Number of its first vertex.
+    first: usize,
+    marks: &'a [u8],
+    counts: &'a Counts,
+    /// For the inner vertices of its blocks and behind them for those with a colour, and where that begins in the schedule.
+    own: (usize, &'a mut [u32]),
+    /// For each colour of the seams.
+    seams: Vec<&'a mut [u32]>,
+    /// For those that no colour was left for.
+    rest: &'a mut [u32],
+}
 
-    /// Adds the inside of all blocks, several blocks side by side. Returns how many vertices that are.
-    fn add_blocks(&mut self, around: &Surroundings<'_>, marks: &[u8], threads: &Threads<'_>) -> Result<usize, Error> {
-        let parts: Vec<_> = marks.chunks(BLOCK * blocks_at_once(marks.len(), threads)).collect();
-        let inner = |marks: &[u8]| marks.iter().filter(|&&mark| mark == INNER).count();
-        let counts = threads.map(0..parts.len(), |part| inner(parts[part]));
-        let (mut work, mut left, mut first) = (Vec::new(), &mut self.vertices[..], 0);
-        for (marks, &count) in parts.into_iter().zip(&counts) {
-            let (own, others) = left.split_at_mut(count);
-            work.push((first, marks, own));
-            (first, left) = (first + marks.len() as u32, others);
-        }
-        let turns = threads.map_each(work, |(first, marks, own)| {
-            let blocks = fill(own, first, marks)?;
-            turns::side_by_side(around, own, &blocks)
-        });
-        self.rounds.push(lots(0, turns.into_iter().collect::<Result<_, _>>()?));
-        Ok(counts.into_iter().sum())
+/// Gives each share of the mesh its places.
+fn places<'a>(marks: &'a [u8], counts: &'a [Counts], vertices: &'a mut [u32]) -> Vec<Share<'a>> {
+    let (mut left, mut begin) = (vertices, 0);
+    let mut take = |count: usize| {
+        let (own, others) = std::mem::take(&mut left).split_at_mut(count);
+        (left, begin) = (others, begin + count);
+        (begin - count, own)
+    };
+    let share = |(share, (marks, counts)): (usize, (&'a [u8], &'a Counts))| {
+        let own = take(counts.own());
+        Share { first: share * SHARE, marks, counts, own, seams: Vec::new(), rest: &mut [] }
+    };
+    let mut shares: Vec<_> = marks.chunks(SHARE).zip(counts).enumerate().map(share).collect();
+    for color in 0..COLORS {
+        shares.iter_mut().for_each(|share| share.seams.push(take(share.counts.marked[SEAM + color]).1));
     }
+    shares.iter_mut().for_each(|share| share.rest = take(share.counts.rest()).1);
+    shares
+}
 
-    /// Adds the border from place `first` on, colour by colour; how many there are of each comes with the marks.
-    fn add_border(
-        &mut self,
-        around: &Surroundings<'_>,
-        first: usize,
-        (marks, counts): (&[u8], &[Counts]),
-        threads: &Threads<'_>,
-    ) {
-        let border = &mut self.vertices[first..];
-        colors::sort(marks, counts, border, threads);
-        let (mut start, mut left) = (first, border);
-        for color in 0..COLORS {
-            let (own, others) = left.split_at_mut(counts.iter().map(|counts| counts[color]).sum());
-            let count = own.len();
-            if count > 0 {
-                let own = own.chunks_mut(TASK).collect();
-                self.rounds.push(lots(start, threads.map_each(own, |own| turns::apart(around, own))));
-            }
-            (start, left) = (start + count, others);
-        }
+impl Share<'_> {
+    /// Fills in the vertices and arranges them.
+    fn arrange(self, around: &Surroundings<'_>, threads: &Threads<'_>) -> Result<Vec<Round>, Error> {
+        let (begin, own) = self.own;
+        let (inner, colored) = own.split_at_mut(self.counts.inner);
+        let sizes = |color: usize| self.counts.marked[color];
+        colors::sort(self.first as u32, self.marks, colored, sizes, (self.seams, self.rest));
+        let mut rounds = vec![blocks(around, (begin, inner), (self.first as u32, self.marks), threads)?];
+        rounds.extend(by_color(around, begin + inner.len(), colored, sizes, threads));
+        Ok(rounds)
     }
+}
+
+/// The inside of all blocks, several blocks side by side.
+fn blocks(
+    around: &Surroundings<'_>,
+    (begin, mut inner): (usize, &mut [u32]),
+    (mut first, marks): (u32, &[u8]),
+    threads: &Threads<'_>,
+) -> Result<Round, Error> {
+    let mut work = Vec::new();
+    for marks in marks.chunks(BLOCK * blocks_at_once(marks.len(), threads)) {
+        let (own, others) = inner.split_at_mut(marks.iter().filter(|&&mark| mark == INNER).count());
+        work.push((first, marks, own));
+        (first, inner) = (first + marks.len() as u32, others);
+    }
+    let turns = threads.map_each(work, |(first, marks, own)| {
+        let blocks = fill(own, first, marks)?;
+        turns::side_by_side(around, own, &blocks)
+    });
+    Ok(lots(begin, turns.into_iter().collect::<Result<_, _>>()?))
+}
+
+/// What lies between the blocks, colour by colour: so many of each colour from the beginning of a list on, which begins at a
+/// place of the schedule.
+fn by_color(
+    around: &Surroundings<'_>,
+    mut begin: usize,
+    mut list: &mut [u32],
+    sizes: impl Fn(usize) -> usize,
+    threads: &Threads<'_>,
+) -> Vec<Round> {
+    let mut rounds = Vec::new();
+    for size in (0..COLORS).map(sizes).filter(|&size| size > 0) {
+        let (own, others) = list.split_at_mut(size);
+        rounds.push(lots(begin, threads.map_each(own.chunks_mut(TASK).collect(), |own| turns::apart(around, own))));
+        (begin, list) = (begin + size, others);
+    }
+    rounds
 }
 
 /// Blocks that go side by side: as many as there can be, but so that all threads have about the same to do.
@@ -214,9 +276,10 @@ mod tests {
         let around = prepared.surroundings(&options);
         let schedule = Schedule::new(&around, &Threads::ONE).unwrap();
         let several = Threads::with(3, 1_000_000, |threads| Schedule::new(&around, threads)).unwrap();
-        assert!(several.rest() == schedule.rest() && several.rounds().skip(1).eq(schedule.rounds().skip(1)));
+        assert!(several.rest() == schedule.rest() && several.seams().eq(schedule.seams()));
+        assert!(several.rounds().skip(1).eq(schedule.rounds().skip(1)));
         let mut seen: Vec<u32> = schedule.rest().to_vec();
-        for round in schedule.rounds() {
+        for round in schedule.rounds().chain(schedule.seams()) {
             let mut owners = HashMap::new();
             for (number, task) in round.iter().enumerate() {
                 seen.extend(task.vertices);
@@ -237,7 +300,7 @@ mod tests {
         }
         seen.sort_unstable();
         assert_eq!(seen, around.movable().unwrap());
-        schedule.rounds().map(|round| round.len()).sum()
+        schedule.rounds().chain(schedule.seams()).map(|round| round.len()).sum()
     }
 
     #[test]
@@ -246,7 +309,8 @@ mod tests {
         check([40, 30], true);
         assert!(check([199, 399], false) > 4);
         assert!(check([199, 399], true) > 4);
-        // More than one thread gives colours to, in rows that are longer than blocks.
+        // Several shares, in rows that are longer than blocks.
         assert!(check([799, 399], false) > 4);
+        assert!(check([799, 399], true) > 4);
     }
 }
