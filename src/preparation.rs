@@ -16,8 +16,10 @@ pub(crate) struct Preparation<'a> {
     pub mesh: Mesh<'a>,
     pub stars: Stars,
     pub features: Features,
-    /// Cones around the original normals, where they are of use.
+    /// Cones around the original normals, where they are of use and not too many.
     cones: Option<Cones>,
+    /// Whether sweeps are to look for cones themselves.
+    looks_for_cones: bool,
     operation: Operation,
     /// Seconds that validation and stars took.
     pub adjacency: f64,
@@ -42,14 +44,13 @@ impl<'a> Preparation<'a> {
         let adjacency = clock.elapsed().as_secs_f64();
         let sizes = options.keep_sizes.then(|| Sizes::new(&mesh, &stars, threads)).transpose()?;
         let operation = Operation::new(options, sizes);
-        let cones = if are_cones_worthwhile(options, &operation) {
-            Cones::new(&mesh, &stars, LARGEST_TURN, threads)?
-        } else {
-            None
-        };
+        let worthwhile = are_cones_worthwhile(options, &operation);
+        let kept = worthwhile && Cones::may_be_kept(stars.len());
+        let cones = kept.then(|| Cones::all(&mesh, &stars, LARGEST_TURN, threads)).transpose()?;
         let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
-        Ok(Self { mesh, stars, features, cones, operation, adjacency, finding })
+        let looks_for_cones = worthwhile && !kept;
+        Ok(Self { mesh, stars, features, cones, looks_for_cones, operation, adjacency, finding })
     }
 
     /// The same, in the form in which visits read it.
@@ -59,6 +60,7 @@ impl<'a> Preparation<'a> {
             stars: &self.stars,
             features: &self.features,
             cones: self.cones.as_ref(),
+            looks_for_cones: self.looks_for_cones,
             operation: &self.operation,
             floor: options.quality_floor,
             keeps_shape: options.feature_angle.is_some(),

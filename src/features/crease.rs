@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
+use super::flat::Flat;
 use super::slots::SlotSet;
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::quality::triangle::Sides;
-use crate::star::{Cones, THIN};
+use crate::star::THIN;
 use crate::threads::Threads;
 
 /// A connected set of fewer sharp edges is noise, unless all its edges are clear.
@@ -19,14 +20,14 @@ const CLEARLY: f64 = 1.000_001;
 /// Cosine of 10°: an edge is clear if each edge beside it is either flatter than that or sharp.
 const FLAT: f64 = 0.984_807_753_012_208;
 
-/// Marks the edges whose two sides meet at more than `angle` degrees, short patches of noise left out.
+/// Marks the edges whose two sides meet at more than the angle of which `sharp` is the cosine, short patches of noise left out.
 pub(super) fn mark(
-    (mesh, stars, cones): (&Mesh<'_>, &Stars, Option<&Cones>),
-    angle: f64,
+    (mesh, stars): (&Mesh<'_>, &Stars),
+    (sharp, flat): (f64, &Flat<'_>),
     threads: &Threads<'_>,
     slots: &mut SlotSet,
 ) -> Result<(), Error> {
-    let dihedral = Dihedral { mesh, stars, cones, sharp: libm::cos(angle.to_radians()) };
+    let dihedral = Dihedral { mesh, stars, flat, sharp };
     let parts = threads.parts(stars.len(), |part| dihedral.sharp_edges(part.start as u32..part.end as u32));
     let mut edges = memory::reserved(parts.iter().map(Vec::len).sum())?;
     parts.into_iter().for_each(|part| edges.extend(part));
@@ -43,7 +44,7 @@ pub(super) fn mark(
 struct Dihedral<'a> {
     mesh: &'a Mesh<'a>,
     stars: &'a Stars,
-    cones: Option<&'a Cones>,
+    flat: &'a Flat<'a>,
     /// Cosine of the angle above which an edge is sharp.
     sharp: f64,
 }
@@ -52,9 +53,9 @@ impl Dihedral<'_> {
     /// The sharp edges that are seen first from these vertices, and whether they are clear.
     fn sharp_edges(&self, vertices: std::ops::Range<u32>) -> Vec<([u32; 2], bool)> {
         let mut edges = Vec::new();
-        for v in vertices.filter(|&v| !self.is_flat_around(v)) {
+        for v in vertices.filter(|&v| !self.flat.is_around(v)) {
             for (i, &r) in self.stars.ring(v).iter().enumerate() {
-                let seen_once = v < r && !self.is_flat_around(r) || self.stars.ring(r).is_empty();
+                let seen_once = v < r && !self.flat.is_around(r) || self.stars.ring(r).is_empty();
                 if seen_once
                     && let Some(flanks) = self.stars.flanks(v, i)
                     && self.is_sharp(v, r, flanks)
@@ -64,11 +65,6 @@ impl Dihedral<'_> {
             }
         }
         edges
-    }
-
-    /// Whether it is plain that no edge at `v` is sharp.
-    fn is_flat_around(&self, v: u32) -> bool {
-        self.cones.is_some_and(|cones| cones.is_flat(v, self.sharp))
     }
 
     /// Whether the edge v–r, with the third corners `before` and `after` of its triangles, is sharp. Beside a triangle that

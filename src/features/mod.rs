@@ -2,6 +2,7 @@
 
 mod corner;
 mod crease;
+mod flat;
 mod role;
 mod slots;
 

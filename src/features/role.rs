@@ -1,5 +1,6 @@
 //! What each vertex may do, from its star, the features, and the caller's wishes.
 
+use super::flat::Flat;
 use super::slots::SlotSet;
 use super::{corner, crease};
 use crate::error::Error;
@@ -65,7 +66,12 @@ impl Features {
         let mut slots = SlotSet::new(stars)?;
         let mut marked = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
-            crease::mark((mesh, stars, cones), angle, threads, &mut slots)?;
+            let sharp = libm::cos(angle.to_radians());
+            let flat = match cones {
+                Some(cones) => Flat::Cones(cones, sharp),
+                None => Flat::bits(mesh, stars, sharp, threads)?,
+            };
+            crease::mark((mesh, stars), (sharp, &flat), threads, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
             slots.insert_edge(stars, a, b);

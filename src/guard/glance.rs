@@ -152,7 +152,7 @@ mod tests {
         let positions: Vec<_> = origins.iter().map(DVec3::to_array).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let rings = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let cones = Cones::new(&mesh, &rings, LARGEST_TURN, &Threads::ONE).unwrap().unwrap();
+        let cones = Cones::all(&mesh, &rings, LARGEST_TURN, &Threads::ONE).unwrap();
         let mut stars = LocalStar::default();
         let site = |vertex: u32| {
             let origin = mesh.positions[vertex as usize];

@@ -1,6 +1,8 @@
 //! Cones around the normals of the original triangles of each star: enough to know, most of the time, that none of them is
 //! sharply bent against another one, or that a new triangle faces as all of them do.
 
+use std::ops::Range;
+
 use fearless_simd::{Level, Simd, dispatch, f64x8};
 
 use super::company::{Companions, LANES, TOGETHER};
@@ -9,6 +11,7 @@ use super::number::{Arithmetic, Number, Single};
 use super::vectors::Vectors;
 use super::witness::{Arm, CLEAR, MEANINGLESS, THIN, TINY, Witness};
 use crate::error::Error;
+use crate::memory;
 use crate::mesh::{Mesh, Stars};
 use crate::threads::{PART, Threads};
 
@@ -23,11 +26,13 @@ const BLUR: f64 = 4e-6;
 /// Squared cosine of the widest cone that is of use: 74°.
 const WIDEST: f64 = 0.076;
 
-/// The largest mesh that is worth cones: they take 28 bytes a vertex, which is too much where memory is short.
+/// The largest mesh whose cones are kept: they take 28 bytes a vertex, which is too much where memory is short.
 const LARGEST: usize = 1 << 24;
 
-/// A cone for each vertex; for stars with many triangles or none of use that nothing agrees with.
+/// A cone for each of consecutive vertices; for stars with many triangles or none of use that nothing agrees with.
 pub(crate) struct Cones {
+    /// The first of these vertices.
+    first: u32,
     cones: Vec<Cone>,
     /// One over the mesh's typical edge, as a power of two.
     scale: f64,
@@ -62,28 +67,31 @@ pub(crate) struct ConesOf<N> {
 pub(crate) struct ConeRows<R>([R; 6]);
 
 impl Cones {
-    /// The cones of all stars; `None` for a mesh that is too large. Normals are allowed to turn by `largest_turn` degrees.
-    pub fn new(
-        mesh: &Mesh<'_>,
-        stars: &Stars,
-        largest_turn: f64,
-        threads: &Threads<'_>,
-    ) -> Result<Option<Self>, Error> {
-        if stars.len() > LARGEST {
-            return Ok(None);
-        }
-        let mut cones = Self { cones: threads.filled(Cone::UNKNOWN, stars.len())?, scale: scale(mesh) };
-        let turn = [libm::cos, libm::sin].map(|of| of(largest_turn.to_radians()));
-        let look = Look { mesh, stars, turn, scale: cones.scale };
-        threads.each(cones.cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
+    /// Whether the cones of so many vertices may be kept.
+    pub fn may_be_kept(vertex_count: usize) -> bool {
+        vertex_count <= LARGEST
+    }
+
+    /// The cones of all stars. Normals are allowed to turn by `largest_turn` degrees.
+    pub fn all(mesh: &Mesh<'_>, stars: &Stars, largest_turn: f64, threads: &Threads<'_>) -> Result<Self, Error> {
+        let (mut cones, look) = (threads.filled(Cone::UNKNOWN, stars.len())?, Look::new(mesh, stars, largest_turn));
+        threads.each(cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
             dispatch!(Level::new(), simd => look.fill(simd, (part * PART) as u32, cones));
         });
-        Ok(Some(cones))
+        Ok(Self { first: 0, cones, scale: look.scale })
+    }
+
+    /// Those of some consecutive stars.
+    pub fn some(mesh: &Mesh<'_>, stars: &Stars, largest_turn: f64, vertices: Range<usize>) -> Result<Self, Error> {
+        let (mut cones, look) = (memory::filled(Cone::UNKNOWN, vertices.len())?, Look::new(mesh, stars, largest_turn));
+        let first = vertices.start as u32;
+        dispatch!(Level::new(), simd => look.fill(simd, first, &mut cones));
+        Ok(Self { first, cones, scale: look.scale })
     }
 
     /// Whether no triangle around `v` is thin, and no two meet at an angle of which this is the cosine, or more.
     pub fn is_flat(&self, v: u32, cosine: f64) -> bool {
-        f64::from(self.cones[v as usize].bend) < 0.5 * (1.0 - cosine)
+        f64::from(self.cones[(v - self.first) as usize].bend) < 0.5 * (1.0 - cosine)
     }
 
     /// Lengths in units of the mesh's typical edge.
@@ -103,7 +111,7 @@ impl Cones {
     pub fn of<S: Single>(&self, vertices: &[u32]) -> ConeRows<S::Row> {
         let mut rows = [S::Row::default(); 6];
         for (star, &v) in vertices.iter().enumerate() {
-            let Cone { axis: [x, y, z], turn, spread, size, .. } = self.cones[v as usize];
+            let Cone { axis: [x, y, z], turn, spread, size, .. } = self.cones[(v - self.first) as usize];
             for (row, value) in rows.iter_mut().zip([x, y, z, turn, spread, size]) {
                 row.as_mut()[star] = value;
             }
@@ -178,7 +186,12 @@ struct Look<'a> {
     scale: f64,
 }
 
-impl Look<'_> {
+impl<'a> Look<'a> {
+    fn new(mesh: &'a Mesh<'a>, stars: &'a Stars, largest_turn: f64) -> Self {
+        let turn = [libm::cos, libm::sin].map(|of| of(largest_turn.to_radians()));
+        Self { mesh, stars, turn, scale: scale(mesh) }
+    }
+
     /// Fills in the cones of consecutive vertices.
     #[inline(always)]
     fn fill<S: Simd>(&self, simd: S, first: u32, cones: &mut [Cone]) {
@@ -303,7 +316,10 @@ mod tests {
         let positions: Vec<_> = positions.iter().map(DVec3::to_array).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        Cones::new(&mesh, &stars, 75.0, &Threads::ONE).unwrap().unwrap().is_flat(0, cosine)
+        let cones = Cones::all(&mesh, &stars, 75.0, &Threads::ONE).unwrap();
+        let some = Cones::some(&mesh, &stars, 75.0, 0..1).unwrap();
+        assert_eq!(cones.is_flat(0, cosine), some.is_flat(0, cosine));
+        cones.is_flat(0, cosine)
     }
 
     fn normals(positions: &[DVec3]) -> Vec<DVec3> {

@@ -3,6 +3,7 @@
 //!
 //! Stars that are visited at the same time don't read each other's centres, so the result is that of one thread.
 
+use super::colors::SHARE;
 use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
@@ -11,7 +12,9 @@ use super::surroundings::Surroundings;
 use super::task::Task;
 use super::visit::LoneVisitor;
 use crate::error::Error;
+use crate::guard::LARGEST_TURN;
 use crate::progress::{self, Progress};
+use crate::star::Cones;
 use crate::threads::Threads;
 
 /// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one.
@@ -68,25 +71,24 @@ impl Sweeps<'_> {
         self.visited += rest.len();
     }
 
-    /// Visits the shares: one by one or several at once if there are many, else round by round.
+    /// Visits the shares: several at once if there are many, else round by round.
     fn shares(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
         let schedule = self.schedule;
-        if self.threads.is_one() {
-            return schedule.shares().flatten().try_for_each(|round| self.at_once(tell, &round));
-        }
-        let mut shares = schedule.shares();
-        if shares.len() < MANY * self.threads.count() {
+        let mut shares = schedule.shares().enumerate();
+        if !self.around.looks_for_cones && shares.len() < MANY * self.threads.count() {
             return schedule.rounds().try_for_each(|round| self.at_once(tell, &round));
         }
         let Self { around, places, outcomes, threads, .. } = *self;
         while shares.len() > 0 {
             progress::tell(tell, self.visited as f64 / self.total as f64)?;
-            let batch = shares.by_ref().take(BATCH_OF_SHARES * threads.count()).collect();
-            let done = threads.map_each(batch, |rounds| {
-                let carry_out = |task: Task<'_>| (task.carry_out(around, places, outcomes), task.vertices.len());
-                rounds.flatten().map(carry_out).collect::<Vec<_>>()
+            let batch = shares.by_ref().take(if threads.is_one() { 1 } else { BATCH_OF_SHARES * threads.count() });
+            let done = threads.map_each(batch.collect(), |(share, rounds)| {
+                let cones = around.cones_of(share)?;
+                let around = Surroundings { cones: cones.as_ref().or(around.cones), ..*around };
+                let carry_out = |task: Task<'_>| (task.carry_out(&around, places, outcomes), task.vertices.len());
+                Ok(rounds.flatten().map(carry_out).collect::<Vec<_>>())
             });
-            for (tally, visited) in done.into_iter().flatten() {
+            for (tally, visited) in done.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter().flatten() {
                 self.tally += tally;
                 self.visited += visited;
             }
@@ -106,6 +108,15 @@ impl Sweeps<'_> {
             left = others;
         }
         Ok(())
+    }
+}
+
+impl Surroundings<'_> {
+    /// The cones of a share of the mesh, if they are to be looked for.
+    fn cones_of(&self, share: usize) -> Result<Option<Cones>, Error> {
+        let vertices = share * SHARE..((share + 1) * SHARE).min(self.stars.len());
+        let look = || Cones::some(self.mesh, self.stars, LARGEST_TURN, vertices);
+        self.looks_for_cones.then(look).transpose()
     }
 }
 

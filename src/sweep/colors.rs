@@ -8,7 +8,7 @@ use crate::threads::Threads;
 pub(super) const COLORS: usize = 63;
 
 /// Vertices of consecutive numbers that make a share of the mesh, which one thread can sweep while it stays in a processor's caches.
-pub(super) const SHARE: usize = 1 << 17;
+pub(super) const SHARE: usize = 1 << 18;
 
 /// What is added to the colour of a vertex that has neighbours in another share.
 pub(super) const SEAM: usize = 64;

@@ -29,12 +29,15 @@ const LEASHES: [Leash; Role::COUNT] = {
 };
 
 /// All that a visit reads and never changes.
+#[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a> {
     pub mesh: &'a Mesh<'a>,
     pub stars: &'a Stars,
     pub features: &'a Features,
     /// Cones around the original normals, where they are of use.
     pub cones: Option<&'a Cones>,
+    /// Whether cones would be of use, but are too many to be kept: then each share of the mesh is looked at when its turn comes.
+    pub looks_for_cones: bool,
     pub operation: &'a Operation,
     /// Mean-ratio shape below which no star's worst triangle may fall.
     pub floor: f64,
