@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use crate::error::Error;
 use crate::features::Features;
-use crate::guard::LARGEST_TURN;
 use crate::mesh::{Coordinate, Mesh, Stars, Vertices};
 use crate::options::{Constraints, Options, Order};
 use crate::star::{Cones, Operation, Sizes};
@@ -46,7 +45,7 @@ impl<'a> Preparation<'a> {
         let operation = Operation::new(options, sizes);
         let worthwhile = are_cones_worthwhile(options, &operation);
         let kept = worthwhile && Cones::may_be_kept(stars.len());
-        let cones = kept.then(|| Cones::all(&mesh, &stars, LARGEST_TURN, threads)).transpose()?;
+        let cones = kept.then(|| Cones::all(&mesh, &stars, threads)).transpose()?;
         let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
         let looks_for_cones = worthwhile && !kept;

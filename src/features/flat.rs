@@ -1,7 +1,6 @@
 //! Around which vertices it is plain that no edge is sharp.
 
 use crate::error::Error;
-use crate::guard::LARGEST_TURN;
 use crate::mesh::{Mesh, Stars};
 use crate::star::Cones;
 use crate::threads::{PART, Threads};
@@ -19,7 +18,7 @@ impl Flat<'_> {
     pub fn bits(mesh: &Mesh<'_>, stars: &Stars, sharp: f64, threads: &Threads<'_>) -> Result<Self, Error> {
         let parts = threads.map(0..stars.len().div_ceil(PART), |part| {
             let vertices = part * PART..((part + 1) * PART).min(stars.len());
-            let cones = Cones::some(mesh, stars, LARGEST_TURN, vertices.clone())?;
+            let cones = Cones::some(mesh, stars, vertices.clone())?;
             let bit = |v: usize| u64::from(cones.is_flat(v as u32, sharp)) << (v % 64);
             let word = |first: usize| (first..vertices.end.min(first + 64)).fold(0, |word, v| word | bit(v));
             Ok(vertices.clone().step_by(64).map(word).collect::<Vec<_>>())
@@ -49,7 +48,7 @@ mod tests {
             (0..19_998).map(|i| if i % 2 == 0 { [i, i + 2, i + 1] } else { [i, i + 1, i + 2] }).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
         let stars = Stars::new(&mesh, &Threads::ONE).expect("stars");
-        let cones = Cones::all(&mesh, &stars, LARGEST_TURN, &Threads::ONE).expect("cones");
+        let cones = Cones::all(&mesh, &stars, &Threads::ONE).expect("cones");
         let (kept, asked) = (Flat::Cones(&cones, 0.9), Flat::bits(&mesh, &stars, 0.9, &Threads::ONE).expect("bits"));
         let flat: Vec<_> = (0..20_000).map(|v| kept.is_around(v)).collect();
         assert!((0..20_000).all(|v| asked.is_around(v) == flat[v as usize]));

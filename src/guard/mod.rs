@@ -5,12 +5,9 @@ mod glance;
 mod original;
 
 use crate::mesh::{Mesh, Stars};
-use crate::star::{Arm, LocalStars, Number, Vectors, Witness};
+use crate::star::{Arm, LARGEST_TURN, LocalStars, Number, Vectors, Witness};
 pub(crate) use glance::{Known, glance};
 use original::Original;
-
-/// Largest angle in degrees by which a triangle's normal may turn against its original one.
-pub(crate) const LARGEST_TURN: f64 = 75.0;
 
 /// How far a vertex may go from where it was in the original mesh, in units of its star's original size.
 #[derive(Debug, Clone, Copy)]

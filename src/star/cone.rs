@@ -9,7 +9,7 @@ use super::company::{Companions, LANES, TOGETHER};
 use super::local::{Countdown, LocalStars};
 use super::number::{Arithmetic, Number, Single};
 use super::vectors::Vectors;
-use super::witness::{Arm, CLEAR, MEANINGLESS, THIN, TINY, Witness};
+use super::witness::{Arm, CLEAR, LARGEST_TURN, MEANINGLESS, THIN, TINY, Witness};
 use crate::error::Error;
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
@@ -72,9 +72,9 @@ impl Cones {
         vertex_count <= LARGEST
     }
 
-    /// The cones of all stars. Normals are allowed to turn by `largest_turn` degrees.
-    pub fn all(mesh: &Mesh<'_>, stars: &Stars, largest_turn: f64, threads: &Threads<'_>) -> Result<Self, Error> {
-        let (mut cones, look) = (threads.filled(Cone::UNKNOWN, stars.len())?, Look::new(mesh, stars, largest_turn));
+    /// The cones of all stars.
+    pub fn all(mesh: &Mesh<'_>, stars: &Stars, threads: &Threads<'_>) -> Result<Self, Error> {
+        let (mut cones, look) = (threads.filled(Cone::UNKNOWN, stars.len())?, Look::new(mesh, stars));
         threads.each(cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
             dispatch!(Level::new(), simd => look.fill(simd, (part * PART) as u32, cones));
         });
@@ -82,8 +82,8 @@ impl Cones {
     }
 
     /// Those of some consecutive stars.
-    pub fn some(mesh: &Mesh<'_>, stars: &Stars, largest_turn: f64, vertices: Range<usize>) -> Result<Self, Error> {
-        let (mut cones, look) = (memory::filled(Cone::UNKNOWN, vertices.len())?, Look::new(mesh, stars, largest_turn));
+    pub fn some(mesh: &Mesh<'_>, stars: &Stars, vertices: Range<usize>) -> Result<Self, Error> {
+        let (mut cones, look) = (memory::filled(Cone::UNKNOWN, vertices.len())?, Look::new(mesh, stars));
         let first = vertices.start as u32;
         dispatch!(Level::new(), simd => look.fill(simd, first, &mut cones));
         Ok(Self { first, cones, scale: look.scale })
@@ -187,8 +187,8 @@ struct Look<'a> {
 }
 
 impl<'a> Look<'a> {
-    fn new(mesh: &'a Mesh<'a>, stars: &'a Stars, largest_turn: f64) -> Self {
-        let turn = [libm::cos, libm::sin].map(|of| of(largest_turn.to_radians()));
+    fn new(mesh: &'a Mesh<'a>, stars: &'a Stars) -> Self {
+        let turn = [libm::cos, libm::sin].map(|of| of(LARGEST_TURN.to_radians()));
         Self { mesh, stars, turn, scale: scale(mesh) }
     }
 
@@ -316,8 +316,8 @@ mod tests {
         let positions: Vec<_> = positions.iter().map(DVec3::to_array).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let cones = Cones::all(&mesh, &stars, 75.0, &Threads::ONE).unwrap();
-        let some = Cones::some(&mesh, &stars, 75.0, 0..1).unwrap();
+        let cones = Cones::all(&mesh, &stars, &Threads::ONE).unwrap();
+        let some = Cones::some(&mesh, &stars, 0..1).unwrap();
         assert_eq!(cones.is_flat(0, cosine), some.is_flat(0, cosine));
         cones.is_flat(0, cosine)
     }

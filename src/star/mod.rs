@@ -25,7 +25,7 @@ pub(crate) use operation::{Draft, Operation};
 pub(crate) use plane::TangentPlane;
 pub(crate) use sizes::Sizes;
 pub(crate) use vectors::{Vectors, set_vector, vector};
-pub(crate) use witness::{Arm, CLEAR, MEANINGLESS, THIN, Witness};
+pub(crate) use witness::{Arm, CLEAR, LARGEST_TURN, MEANINGLESS, THIN, Witness};
 
 #[cfg(test)]
 mod tests {

@@ -10,6 +10,9 @@ pub(crate) const MEANINGLESS: f64 = 1e-3;
 /// Original shape below which a triangle's own normal is not believed, nor its plane worth keeping.
 pub(crate) const THIN: f64 = 0.3;
 
+/// Largest angle in degrees by which a triangle's normal may turn against its original one.
+pub(crate) const LARGEST_TURN: f64 = 75.0;
+
 /// Shape from which on single precision tells where a triangle faces.
 pub(crate) const CLEAR: f64 = 0.005;
 

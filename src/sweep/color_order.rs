@@ -12,7 +12,6 @@ use super::surroundings::Surroundings;
 use super::task::Task;
 use super::visit::LoneVisitor;
 use crate::error::Error;
-use crate::guard::LARGEST_TURN;
 use crate::progress::{self, Progress};
 use crate::star::Cones;
 use crate::threads::Threads;
@@ -115,7 +114,7 @@ impl Surroundings<'_> {
     /// The cones of a share of the mesh, if they are to be looked for.
     fn cones_of(&self, share: usize) -> Result<Option<Cones>, Error> {
         let vertices = share * SHARE..((share + 1) * SHARE).min(self.stars.len());
-        let look = || Cones::some(self.mesh, self.stars, LARGEST_TURN, vertices);
+        let look = || Cones::some(self.mesh, self.stars, vertices);
         self.looks_for_cones.then(look).transpose()
     }
 }
@@ -128,4 +127,52 @@ fn batch(tasks: &[Task<'_>]) -> usize {
         vertices >= BATCH
     };
     tasks.iter().position(is_full).map_or(tasks.len(), |last| last + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::options::{Constraints, Options};
+    use crate::preparation::Preparation;
+
+    /// A bumpy grid of more than one share.
+    fn grid() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        const COLUMNS: u32 = 700;
+        let bump = |v: u32| f64::from(v.wrapping_mul(0x9e37_79b9) >> 16) / 65536.0;
+        let at = |v: u32| {
+            [f64::from(v % COLUMNS) + 0.7 * bump(v), f64::from(v / COLUMNS) + 0.7 * bump(v + 7), 0.4 * bump(v + 9)]
+        };
+        let positions: Vec<_> = (0..SHARE as u32 + 100 * COLUMNS).map(at).collect();
+        let corners = (0..positions.len() as u32 - COLUMNS - 1).filter(|v| v % COLUMNS < COLUMNS - 1);
+        let halves = |a: u32| [[a, a + 1, a + COLUMNS + 1], [a, a + COLUMNS + 1, a + COLUMNS]];
+        let triangles = corners.flat_map(halves).collect();
+        (positions, triangles)
+    }
+
+    fn swept(around: &Surroundings<'_>, threads: u32) -> Vec<DVec3> {
+        Threads::with(threads, around.stars.len(), |threads| {
+            let places = Places::new(&around.mesh.positions, threads).expect("memory");
+            let outcomes = Outcomes::new(around.stars.len(), threads).expect("memory");
+            run(around, &places, &outcomes, 1, threads, &mut progress::silent).expect("sweeps");
+            places.into_positions()
+        })
+    }
+
+    #[test]
+    fn cones_and_threads_change_no_bit() {
+        let ((positions, triangles), options) = (grid(), Options::default());
+        let free = Constraints::default();
+        let prepared =
+            Preparation::new(positions.as_slice(), &triangles, &options, &free, &Threads::ONE).expect("a mesh");
+        let around = prepared.surroundings(&options);
+        let expected = swept(&around, 1);
+        assert!(around.cones.is_some() && expected != around.mesh.positions);
+        for (looks_for_cones, threads) in [(true, 1), (true, 3), (false, 1), (false, 3)] {
+            let around = Surroundings { cones: None, looks_for_cones, ..around };
+            assert!(swept(&around, threads) == expected, "{looks_for_cones}, {threads} threads");
+        }
+        assert!(swept(&around, 3) == expected, "three threads");
+    }
 }
