@@ -7,7 +7,7 @@ use crate::threads::Threads;
 /// Colours at most. Vertices for which none is left are visited one by one.
 pub(super) const COLORS: usize = 63;
 
-/// Vertices of consecutive numbers that make a share of the mesh, which one thread can sweep while it stays in a processor's caches.
+/// Vertices of consecutive numbers that make a share of the mesh, which a thread sweeps without waiting for others.
 pub(super) const SHARE: usize = 1 << 18;
 
 /// What is added to the colour of a vertex that has neighbours in another share.
