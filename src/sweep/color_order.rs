@@ -1,9 +1,7 @@
-//! Stars on all threads: first the inside of each block of vertices, by index, then what lies between the blocks, by
-//! colour.
+//! Stars on all threads: first what is inside blocks or shares of the mesh, then by colour what lies between them.
 //!
 //! Stars that are visited at the same time don't read each other's centres, so the result is that of one thread.
 
-use super::colors::SHARE;
 use super::end::Tally;
 use super::outcome::Outcomes;
 use super::places::Places;
@@ -19,11 +17,8 @@ use crate::threads::Threads;
 /// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one.
 const BATCH: usize = 1 << 20;
 
-/// The same in shares for each thread.
-const BATCH_OF_SHARES: usize = 16;
-
-/// Shares for each thread from which on threads take whole shares, and nobody waits for a round.
-const MANY: usize = 4;
+/// The same for each thread in tasks inside blocks or shares.
+const BATCH_INSIDE: usize = 16;
 
 /// Sweeps `iterations` times over all vertices. `tell` hears the share of the sweeps that is done.
 pub(super) fn run(
@@ -40,8 +35,8 @@ pub(super) fn run(
     let mut sweeps =
         Sweeps { around, places, outcomes, threads, schedule: &schedule, visited: 0, total, tally: Tally::default() };
     for _ in 0..iterations {
-        sweeps.shares(tell)?;
-        for round in schedule.seams() {
+        sweeps.inside(tell)?;
+        for round in schedule.between() {
             sweeps.at_once(tell, &round)?;
         }
         sweeps.one_by_one();
@@ -70,24 +65,19 @@ impl Sweeps<'_> {
         self.visited += rest.len();
     }
 
-    /// Visits the shares: several at once if there are many, else round by round.
-    fn shares(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
-        let schedule = self.schedule;
-        let mut shares = schedule.shares().enumerate();
-        if !self.around.looks_for_cones && shares.len() < MANY * self.threads.count() {
-            return schedule.rounds().try_for_each(|round| self.at_once(tell, &round));
-        }
+    /// Visits what is inside blocks or shares, several of which at once.
+    fn inside(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
         let Self { around, places, outcomes, threads, .. } = *self;
-        while shares.len() > 0 {
+        let mut tasks = self.schedule.inside();
+        while tasks.len() > 0 {
             progress::tell(tell, self.visited as f64 / self.total as f64)?;
-            let batch = shares.by_ref().take(if threads.is_one() { 1 } else { BATCH_OF_SHARES * threads.count() });
-            let done = threads.map_each(batch.collect(), |(share, rounds)| {
-                let cones = around.cones_of(share)?;
+            let batch = tasks.by_ref().take(if threads.is_one() { 1 } else { BATCH_INSIDE * threads.count() });
+            let done = threads.map_each(batch.collect(), |task: Task<'_>| {
+                let cones = around.cones_of(task)?;
                 let around = Surroundings { cones: cones.as_ref().or(around.cones), ..*around };
-                let carry_out = |task: Task<'_>| (task.carry_out(&around, places, outcomes), task.vertices.len());
-                Ok(rounds.flatten().map(carry_out).collect::<Vec<_>>())
+                Ok((task.carry_out(&around, places, outcomes), task.vertices.len()))
             });
-            for (tally, visited) in done.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter().flatten() {
+            for (tally, visited) in done.into_iter().collect::<Result<Vec<_>, Error>>()? {
                 self.tally += tally;
                 self.visited += visited;
             }
@@ -111,9 +101,10 @@ impl Sweeps<'_> {
 }
 
 impl Surroundings<'_> {
-    /// The cones of a share of the mesh, if they are to be looked for.
-    fn cones_of(&self, share: usize) -> Result<Option<Cones>, Error> {
-        let vertices = share * SHARE..((share + 1) * SHARE).min(self.stars.len());
+    /// The cones of a task, if they are to be looked for.
+    fn cones_of(&self, task: Task<'_>) -> Result<Option<Cones>, Error> {
+        let (first, last) = (task.vertices.iter().min(), task.vertices.iter().max());
+        let vertices = first.map_or(0, |&v| v as usize)..last.map_or(0, |&v| v as usize + 1);
         let look = || Cones::some(self.mesh, self.stars, vertices);
         self.looks_for_cones.then(look).transpose()
     }
@@ -133,18 +124,19 @@ fn batch(tasks: &[Task<'_>]) -> usize {
 mod tests {
     use glam::DVec3;
 
+    use super::super::schedule::LARGE;
     use super::*;
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
 
-    /// A bumpy grid of more than one share.
+    /// A bumpy grid that is large.
     fn grid() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         const COLUMNS: u32 = 700;
         let bump = |v: u32| f64::from(v.wrapping_mul(0x9e37_79b9) >> 16) / 65536.0;
         let at = |v: u32| {
             [f64::from(v % COLUMNS) + 0.7 * bump(v), f64::from(v / COLUMNS) + 0.7 * bump(v + 7), 0.4 * bump(v + 9)]
         };
-        let positions: Vec<_> = (0..SHARE as u32 + 100 * COLUMNS).map(at).collect();
+        let positions: Vec<_> = (0..LARGE as u32 + 100 * COLUMNS).map(at).collect();
         let corners = (0..positions.len() as u32 - COLUMNS - 1).filter(|v| v % COLUMNS < COLUMNS - 1);
         let halves = |a: u32| [[a, a + 1, a + COLUMNS + 1], [a, a + COLUMNS + 1, a + COLUMNS]];
         let triangles = corners.flat_map(halves).collect();

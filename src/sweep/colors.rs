@@ -1,122 +1,100 @@
-//! Colours for the vertices between the blocks: no two neighbours have the same.
+//! Colours: no two neighbours have the same, so all vertices of one can be visited at once.
 
-use super::schedule::{BORDER, INNER};
 use super::surroundings::Surroundings;
-use crate::threads::Threads;
 
 /// Colours at most. Vertices for which none is left are visited one by one.
 pub(super) const COLORS: usize = 63;
 
-/// Vertices of consecutive numbers that make a share of the mesh, which a thread sweeps without waiting for others.
-pub(super) const SHARE: usize = 1 << 18;
+/// What becomes of a vertex. The parts of the mesh that it speaks of are blocks or shares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Mark(u8);
 
-/// What is added to the colour of a vertex that has neighbours in another share.
-pub(super) const SEAM: usize = 64;
+impl Mark {
+    /// What is added to a colour between the parts.
+    const BETWEEN: u8 = 64;
 
-/// How many vertices of a share there are of each kind.
-pub(super) struct Counts {
-    /// Inside the blocks.
-    pub inner: usize,
-    /// By mark: colours, none left, colours of the seams, none left there.
-    pub marked: [usize; 2 * SEAM],
+    /// Divided by 64, what is no colour leaves what no colour does, so that a set of colours in 64 bits has a place for it.
+    const NO_COLOR: u8 = COLORS as u8;
+
+    /// It does not move.
+    pub const STAYS: Self = Self(3 * Self::BETWEEN + Self::NO_COLOR);
+
+    /// It has neighbours in another part, and no colour yet.
+    pub const BARE: Self = Self(2 * Self::BETWEEN + Self::NO_COLOR);
+
+    /// It is inside its part, where no colours are needed.
+    pub const INSIDE: Self = Self(0);
+
+    /// It is inside its part, and gets the first colour there that is not among those `taken`.
+    pub fn inside(taken: impl Iterator<Item = Self>) -> Self {
+        Self(Self::first_left(taken))
+    }
+
+    /// The same for one that has neighbours in another part.
+    fn between(taken: impl Iterator<Item = Self>) -> Self {
+        let between = |mark: &Self| mark.0 / Self::BETWEEN == 1;
+        Self(Self::BETWEEN + Self::first_left(taken.filter(between)))
+    }
+
+    fn first_left(taken: impl Iterator<Item = Self>) -> u8 {
+        // The last bit is no colour's, and may be set or not.
+        let taken = taken.fold(0_u64, |taken, mark| taken | 1 << (mark.0 % Self::BETWEEN));
+        (taken.trailing_ones() as u8).min(Self::NO_COLOR)
+    }
+
+    pub fn is_inside(self) -> bool {
+        self.0 < Self::NO_COLOR
+    }
+
+    /// The colour inside a part.
+    pub fn color_inside(self) -> Option<usize> {
+        self.is_inside().then_some(usize::from(self.0))
+    }
+
+    /// The colour between the parts.
+    pub fn color_between(self) -> Option<usize> {
+        self.0.checked_sub(Self::BETWEEN).filter(|&color| color < Self::NO_COLOR).map(usize::from)
+    }
+
+    /// Whether no colour was left.
+    pub fn is_left_over(self) -> bool {
+        self.0 == Self::NO_COLOR || self.0 == Self::BETWEEN + Self::NO_COLOR
+    }
 }
 
-impl Counts {
-    /// Vertices that a share visits by itself.
-    pub fn own(&self) -> usize {
-        self.inner + self.marked[..COLORS].iter().sum::<usize>()
-    }
-
-    /// Vertices for which no colour was left.
-    pub fn rest(&self) -> usize {
-        self.marked[COLORS] + self.marked[SEAM + COLORS]
-    }
-
-    /// All that may move.
-    pub fn total(&self) -> usize {
-        self.inner + self.marked.iter().sum::<usize>()
-    }
-}
-
-/// Gives each vertex that is marked as border, by index, the first colour that none of its neighbours has that have one by then:
-/// first those whose neighbours all lie in their own share, then the others. Returns how many there are in each share.
-pub(super) fn give(around: &Surroundings<'_>, marks: &mut [u8], threads: &Threads<'_>) -> Vec<Counts> {
-    let shares: Vec<_> = marks.chunks_mut(SHARE).enumerate().collect();
-    let is_whole = shares.len() <= 1;
-    let mut counts = threads.map_each(shares, |(share, marks)| match is_whole {
-        true => give_to_all(around, marks),
-        false => give_inside(around, share * SHARE, marks),
-    });
-    for v in if is_whole { 0..0 } else { 0..marks.len() } {
-        if marks[v] == BORDER {
-            let color = first_left(around.stars.rim_of_disc(v as u32).iter().map(|&r| marks[r as usize]));
-            marks[v] = SEAM as u8 + color;
-            counts[v / SHARE].marked[usize::from(marks[v])] += 1;
-        }
-    }
-    counts
-}
-
-/// The same for a mesh that is one share.
-fn give_to_all(around: &Surroundings<'_>, marks: &mut [u8]) -> Counts {
-    let mut counts = Counts { inner: 0, marked: [0; 2 * SEAM] };
+/// Gives each vertex that has neighbours in another part, by index, the first colour that none of its neighbours has that have one
+/// by then.
+pub(super) fn give_between(around: &Surroundings<'_>, marks: &mut [Mark]) {
     for v in 0..marks.len() {
-        if marks[v] == BORDER {
-            let color = first_left(around.stars.rim_of_disc(v as u32).iter().map(|&r| marks[r as usize]));
-            marks[v] = color;
-            counts.marked[usize::from(color)] += 1;
+        if marks[v] == Mark::BARE {
+            marks[v] = Mark::between(around.stars.rim_of_disc(v as u32).iter().map(|&r| marks[r as usize]));
         }
     }
-    counts.inner = marks.iter().filter(|&&mark| mark == INNER).count();
-    counts
 }
 
-/// The same for a share that begins with vertex `first`, without those vertices that have neighbours in another one.
-fn give_inside(around: &Surroundings<'_>, first: usize, marks: &mut [u8]) -> Counts {
-    let mut counts = Counts { inner: 0, marked: [0; 2 * SEAM] };
-    for i in 0..marks.len() {
-        if marks[i] != BORDER {
-            continue;
-        }
-        let rim = around.stars.rim_of_disc((first + i) as u32);
-        let own = |r: u32| (r as usize).wrapping_sub(first);
-        if rim.iter().all(|&r| own(r) < marks.len() || !around.features.role(r).moves()) {
-            marks[i] = first_left(rim.iter().map(|&r| marks.get(own(r)).copied().unwrap_or(BORDER)));
-            counts.marked[usize::from(marks[i])] += 1;
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_colour_that_is_left_is_given() {
+        let marks = |taken: &[u8]| taken.iter().map(|&mark| Mark(mark)).collect::<Vec<_>>().into_iter();
+        let inside = |taken: &[u8]| Mark::inside(marks(taken)).color_inside();
+        assert_eq!([inside(&[]), inside(&[1, 2]), inside(&[0, 1, 3])], [Some(0), Some(0), Some(2)]);
+        assert_eq!(inside(&[Mark::STAYS.0, Mark::BARE.0]), Some(0));
+        let between = |taken: &[u8]| Mark::between(marks(taken)).color_between();
+        assert_eq!([between(&[0, 1]), between(&[64, 65, 2])], [Some(0), Some(2)]);
+        let all: Vec<u8> = (0..Mark::NO_COLOR).collect();
+        assert!(Mark::inside(marks(&all)).is_left_over() && inside(&all[..62]) == Some(62));
     }
-    counts.inner = marks.iter().filter(|&&mark| mark == INNER).count();
-    counts
-}
 
-/// The first colour that is not among these marks; what they are beside colours does not matter.
-fn first_left(taken: impl Iterator<Item = u8>) -> u8 {
-    // The last bit is no colour's, and may be set or not.
-    let taken = taken.fold(0_u64, |taken, mark| taken | 1 << (mark % 64));
-    (taken.trailing_ones() as usize).min(COLORS) as u8
-}
-
-/// Writes the vertices of a share that begins with vertex `first` into lists, each by index: the colours one behind the other, of
-/// which there are as many as `sizes` says; those of the seams apart; and those for which no colour was left.
-pub(super) fn sort(
-    first: u32,
-    marks: &[u8],
-    mut colored: &mut [u32],
-    sizes: impl Fn(usize) -> usize,
-    (seams, rest): (Vec<&mut [u32]>, &mut [u32]),
-) {
-    let mut lists = Vec::with_capacity(2 * SEAM);
-    for size in (0..COLORS).map(sizes) {
-        let (own, others) = colored.split_at_mut(size);
-        lists.push(own.iter_mut());
-        colored = others;
-    }
-    lists.push(rest.iter_mut());
-    lists.extend(seams.into_iter().map(<[u32]>::iter_mut));
-    for (v, &mark) in (first..).zip(marks) {
-        let list = if mark == BORDER { COLORS } else { usize::from(mark) };
-        if let Some(place) = lists.get_mut(list).and_then(Iterator::next) {
-            *place = v;
+    #[test]
+    fn a_mark_is_one_thing_only() {
+        for mark in (0..=255).map(Mark) {
+            let found = [mark.color_inside().is_some(), mark.color_between().is_some(), mark.is_left_over()];
+            let expected = usize::from(mark.0 < 2 * Mark::BETWEEN);
+            assert_eq!(found.into_iter().filter(|&is| is).count(), expected, "{mark:?}");
         }
+        assert_eq!([Mark(62).color_inside(), Mark(64).color_between()], [Some(62), Some(0)]);
     }
 }

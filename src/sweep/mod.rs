@@ -1,5 +1,6 @@
 //! Sweeps: which stars are visited in which order, and what a visit does.
 
+mod blocks;
 mod color_order;
 mod colors;
 mod end;
@@ -10,6 +11,7 @@ mod neighbours;
 mod outcome;
 mod places;
 mod schedule;
+mod shares;
 mod slide;
 mod surroundings;
 mod tail_order;

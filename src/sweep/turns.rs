@@ -39,9 +39,9 @@ pub(super) fn side_by_side(
     Ok(turns)
 }
 
-/// Arranges a list of vertices no two of which are neighbours.
-pub(super) fn apart(around: &Surroundings<'_>, vertices: &mut [u32]) -> Vec<Turn> {
-    vertices.chunks_mut(TOGETHER).map(|turn| arrange(around, turn)).collect()
+/// Takes up a list of vertices no two of which are neighbours, and arranges it.
+pub(super) fn take(around: &Surroundings<'_>, vertices: &mut [u32], turns: &mut Vec<Turn>) -> Result<(), Error> {
+    vertices.chunks_mut(TOGETHER).try_for_each(|turn| memory::push(turns, arrange(around, turn)))
 }
 
 fn arrange(around: &Surroundings<'_>, turn: &mut [u32]) -> Turn {
