@@ -52,6 +52,11 @@ impl<'a> Preparation<'a> {
         Ok(Self { mesh, stars, features, cones, looks_for_cones, operation, adjacency, finding })
     }
 
+    /// The mesh alone; all else is forgotten.
+    pub fn into_mesh(self) -> Mesh<'a> {
+        self.mesh
+    }
+
     /// The same, in the form in which visits read it.
     pub fn surroundings(&self, options: &Options) -> Surroundings<'_> {
         Surroundings {

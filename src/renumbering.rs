@@ -18,8 +18,9 @@ const SAMPLES: usize = 4096;
 /// Numbers this share of all vertices apart are scattered: in a mesh that was numbered row by row, or by a front, it is less.
 const SCATTERED: usize = 16;
 
-/// Bits of a cell's number along each axis.
-const BITS: u32 = 10;
+/// Bits of a cell's number along each axis, and those of the number of a vertex, which share a word.
+const BITS: u32 = 11;
+const VERTEX_BITS: u32 = u64::BITS - 3 * BITS;
 
 /// New numbers, and the triangles that go with them.
 pub(crate) struct Renumbering {
@@ -51,7 +52,7 @@ impl Renumbering {
         threads: &Threads<'_>,
     ) -> Result<Option<Self>, Error> {
         let count = positions.count();
-        let is_large = count >= LARGE && u32::try_from(count.max(triangles.len())).is_ok();
+        let is_large = count >= LARGE && count.max(triangles.len()) >> VERTEX_BITS == 0;
         if !is_large || !is_scattered(count, triangles) || !are_in_range(count, triangles, threads) {
             return Ok(None);
         }
@@ -65,11 +66,10 @@ impl Renumbering {
         threads: &Threads<'_>,
     ) -> Result<Option<Self>, Error> {
         let Some(bounds) = Bounds::of(positions, threads) else { return Ok(None) };
-        let mut sorted = threads.collect(positions.count(), |v| {
-            u64::from(bounds.cell(positions.get(v).map(T::to_f64))) << u32::BITS | v as u64
-        })?;
+        let mut sorted = threads
+            .collect(positions.count(), |v| bounds.cell(positions.get(v).map(T::to_f64)) << VERTEX_BITS | v as u64)?;
         threads.sort(&mut sorted);
-        let order = threads.collect(sorted.len(), |new| sorted[new] as u32)?;
+        let order = threads.collect(sorted.len(), |new| (sorted[new] & ((1 << VERTEX_BITS) - 1)) as u32)?;
         drop(sorted);
         let mut ranks = memory::filled(0, order.len())?;
         for (new, &old) in (0..).zip(&order) {
@@ -111,9 +111,17 @@ impl<T: Coordinate, V: Vertices<T> + ?Sized> Vertices<T> for Renumbered<'_, V> {
         self.vertices.get(self.numbers.order[v] as usize)
     }
 
+    fn at(&self, place: usize) -> [T; 3] {
+        self.vertices.at(place)
+    }
+
+    /// What has changed is laid together first, so that each vertex is looked up at random once; unless memory is short.
     fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
         let ranks = &self.numbers.ranks;
-        self.vertices.set(|v| changed(ranks[v] as usize), threads);
+        match threads.collect(ranks.len(), &changed) {
+            Ok(all) => self.vertices.set(|v| all[ranks[v] as usize], threads),
+            Err(_) => self.vertices.set(|v| changed(ranks[v] as usize), threads),
+        }
     }
 }
 
@@ -137,18 +145,17 @@ const BUCKET: usize = 1 << 16;
 fn sorted_triangles(ranks: &[u32], triangles: &[[u32; 3]], threads: &Threads<'_>) -> Result<Vec<[u32; 3]>, Error> {
     let count = ranks.len().div_ceil(BUCKET);
     let parts = triangles.chunks(triangles.len().div_ceil(threads.count()).max(1)).collect();
-    let parts = threads.map_each(parts, |part| thrown(ranks, part, count));
+    let parts = threads.map_each(parts, |part| Buckets::thrown(ranks, part, count));
     let parts = parts.into_iter().collect::<Result<Vec<_>, Error>>()?;
     let mut sorted = threads.filled([0; 3], triangles.len())?;
-    let (mut buckets, mut rest) = (Vec::new(), &mut sorted[..]);
+    let (mut work, mut rest) = (Vec::new(), &mut sorted[..]);
     for bucket in 0..count {
-        let size = parts.iter().map(|part| part[bucket].len()).sum();
-        let (own, others) = rest.split_at_mut(size);
-        buckets.push((bucket, own));
+        let (own, others) = rest.split_at_mut(parts.iter().map(|part| part.of(bucket).count()).sum());
+        work.push((bucket, own));
         rest = others;
     }
-    let done = threads.map_each(buckets, |(bucket, own)| {
-        let thrown = || parts.iter().flat_map(|part| &part[bucket]).copied();
+    let done = threads.map_each(work, |(bucket, own)| {
+        let thrown = || parts.iter().flat_map(|part| part.of(bucket)).copied();
         sort_by_least(thrown, bucket * BUCKET, own)
     });
     done.into_iter().collect::<Result<(), Error>>()?;
@@ -159,16 +166,54 @@ fn least([a, b, c]: [u32; 3]) -> usize {
     a.min(b).min(c) as usize
 }
 
-/// Triangles under new numbers, each in the bucket of its least vertex.
-fn thrown(ranks: &[u32], triangles: &[[u32; 3]], count: usize) -> Result<Vec<Vec<[u32; 3]>>, Error> {
-    // A little more than there will be of vertices that are numbered at random.
-    let usual = triangles.len() / count + triangles.len() / (8 * count) + 64;
-    let mut buckets = (0..count).map(|_| memory::reserved(usual)).collect::<Result<Vec<Vec<_>>, _>>()?;
-    for triangle in triangles {
-        let triangle = triangle.map(|v| ranks[v as usize]);
-        memory::push(&mut buckets[least(triangle) / BUCKET], triangle)?;
+/// Triangles in the buckets of their least vertices.
+struct Buckets {
+    /// How many triangles a bucket has room for.
+    room: usize,
+    /// One array for all buckets, which gets large pages where many small ones would not.
+    places: Vec<[u32; 3]>,
+    /// How many places of each bucket are taken.
+    taken: Vec<usize>,
+    /// For each bucket those that there was no room for.
+    others: Vec<Vec<[u32; 3]>>,
+}
+
+impl Buckets {
+    /// Triangles under new numbers, in so many buckets.
+    fn thrown(ranks: &[u32], triangles: &[[u32; 3]], count: usize) -> Result<Self, Error> {
+        /// Triangles that are looked up before the first of them is thrown, so that no look-up waits for another one.
+        const AHEAD: usize = 256;
+        // A little more than there will be in each bucket if vertices are numbered at random.
+        let room = triangles.len() / count + triangles.len() / (8 * count) + 64;
+        let (places, taken) = (memory::filled([0; 3], room * count)?, memory::filled(0, count)?);
+        let mut buckets = Self { room, places, taken, others: vec![Vec::new(); count] };
+        let mut renamed = [[0; 3]; AHEAD];
+        for triangles in triangles.chunks(AHEAD) {
+            for (renamed, &[a, b, c]) in renamed.iter_mut().zip(triangles) {
+                *renamed = [ranks[a as usize], ranks[b as usize], ranks[c as usize]];
+            }
+            renamed[..triangles.len()].iter().try_for_each(|&triangle| buckets.throw(triangle))?;
+        }
+        Ok(buckets)
     }
-    Ok(buckets)
+
+    #[inline(always)]
+    fn throw(&mut self, triangle: [u32; 3]) -> Result<(), Error> {
+        let bucket = least(triangle) / BUCKET;
+        let taken = &mut self.taken[bucket];
+        if *taken == self.room {
+            return memory::push(&mut self.others[bucket], triangle);
+        }
+        self.places[bucket * self.room + *taken] = triangle;
+        *taken += 1;
+        Ok(())
+    }
+
+    /// The triangles of a bucket, in the order in which they were thrown.
+    fn of(&self, bucket: usize) -> impl Iterator<Item = &[u32; 3]> {
+        let start = bucket * self.room;
+        self.places[start..start + self.taken[bucket]].iter().chain(&self.others[bucket])
+    }
 }
 
 /// Writes the triangles of a bucket in the order of their least vertices, the first of which may be number `first`.
@@ -182,11 +227,11 @@ fn sort_by_least<I: Iterator<Item = [u32; 3]>>(
     for v in 1..next.len() {
         next[v] += next[v - 1];
     }
-    for triangle in thrown() {
+    thrown().for_each(|triangle| {
         let place = &mut next[least(triangle) - first];
         sorted[*place as usize] = triangle;
         *place += 1;
-    }
+    });
     Ok(())
 }
 
@@ -226,18 +271,18 @@ impl Bounds {
     }
 
     /// Number on the curve of the cell in which a position lies.
-    fn cell(&self, position: [f64; 3]) -> u32 {
-        (0..3).fold(0, |cell, k| cell | spread(((position[k] - self.least[k]) * self.scale) as u32) << k)
+    fn cell(&self, position: [f64; 3]) -> u64 {
+        (0..3).fold(0, |cell, k| cell | spread(((position[k] - self.least[k]) * self.scale) as u64) << k)
     }
 }
 
-/// The lowest ten bits, three places apart.
-fn spread(x: u32) -> u32 {
-    let x = x & 0x3ff;
-    let x = (x | x << 16) & 0x0300_00ff;
-    let x = (x | x << 8) & 0x0300_f00f;
-    let x = (x | x << 4) & 0x030c_30c3;
-    (x | x << 2) & 0x0924_9249
+/// The lowest eleven bits, three places apart.
+fn spread(x: u64) -> u64 {
+    let x = x & 0x7ff;
+    let x = (x | x << 16) & 0x0700_00ff;
+    let x = (x | x << 8) & 0x0700_f00f;
+    let x = (x | x << 4) & 0x430c_30c3;
+    (x | x << 2) & 0x4924_9249
 }
 
 #[cfg(test)]
@@ -246,7 +291,7 @@ mod tests {
 
     #[test]
     fn bits_go_three_places_apart() {
-        for x in [0, 1, 2, 0x155, 0x3ff] {
+        for x in [0, 1, 2, 0x2aa, 0x555, 0x400, 0x7ff] {
             let expected = (0..BITS).fold(0, |sum, bit| sum | (x >> bit & 1) << (3 * bit));
             assert_eq!(spread(x), expected);
         }

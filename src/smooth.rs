@@ -81,7 +81,7 @@ fn smooth_on<T: Coordinate>(
     progress::tell(progress, 0.0)?;
     let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;
-    let mesh = &prepared.mesh;
+    let mesh = prepared.into_mesh();
     positions.set(|v| (mesh.positions[v] != new[v]).then(|| mesh.stored(new[v])), threads);
     Ok(report)
 }

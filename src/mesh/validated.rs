@@ -138,7 +138,7 @@ fn largest_coordinate<T: Coordinate>(
 ) -> Result<f64, Error> {
     let mut largest = 0.0_f64;
     for vertex in part {
-        let position = positions.get(vertex);
+        let position = positions.at(vertex);
         let size = position.iter().fold(0.0_f64, |m, x| m + x.to_f64().abs());
         // A sum may be too large of coordinates that are not.
         if !size.is_finite() && !position.iter().all(|x| x.to_f64().is_finite()) {

@@ -11,6 +11,11 @@ pub(crate) trait Vertices<T: Coordinate>: Sync {
     /// Position of vertex `v`.
     fn get(&self, v: usize) -> [T; 3];
 
+    /// The position that comes as number `place` in memory, for those who look at all of them in any order.
+    fn at(&self, place: usize) -> [T; 3] {
+        self.get(place)
+    }
+
     /// Writes the position of each vertex that `changed` has one for.
     fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>);
 }
