@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::features::Features;
 use crate::mesh::{Coordinate, Mesh, Stars, Vertices};
 use crate::options::{Constraints, Options, Order};
-use crate::star::{Cones, Operation, Sizes};
+use crate::star::{ConeFinder, Cones, Operation, Sizes};
 use crate::sweep::Surroundings;
 use crate::threads::Threads;
 
@@ -17,8 +17,8 @@ pub(crate) struct Preparation<'a> {
     pub features: Features,
     /// Cones around the original normals, where they are of use and not too many.
     cones: Option<Cones>,
-    /// Whether sweeps are to look for cones themselves.
-    looks_for_cones: bool,
+    /// How sweeps are to look for cones themselves, if they are.
+    cone_finder: Option<ConeFinder>,
     operation: Operation,
     /// Seconds that validation and stars took.
     pub adjacency: f64,
@@ -45,11 +45,11 @@ impl<'a> Preparation<'a> {
         let operation = Operation::new(options, sizes);
         let worthwhile = are_cones_worthwhile(options, &operation);
         let kept = worthwhile && Cones::may_be_kept(stars.len());
-        let cones = kept.then(|| Cones::all(&mesh, &stars, threads)).transpose()?;
+        let cones = kept.then(|| ConeFinder::new(&mesh).all(&mesh, &stars, threads)).transpose()?;
         let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;
-        let looks_for_cones = worthwhile && !kept;
-        Ok(Self { mesh, stars, features, cones, looks_for_cones, operation, adjacency, finding })
+        let cone_finder = (worthwhile && !kept).then(|| ConeFinder::new(&mesh));
+        Ok(Self { mesh, stars, features, cones, cone_finder, operation, adjacency, finding })
     }
 
     /// The mesh alone; all else is forgotten.
@@ -64,7 +64,7 @@ impl<'a> Preparation<'a> {
             stars: &self.stars,
             features: &self.features,
             cones: self.cones.as_ref(),
-            looks_for_cones: self.looks_for_cones,
+            cone_finder: self.cone_finder,
             operation: &self.operation,
             floor: options.quality_floor,
             keeps_shape: options.feature_angle.is_some(),

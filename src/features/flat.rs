@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::mesh::{Mesh, Stars};
-use crate::star::Cones;
+use crate::star::{ConeFinder, Cones};
 use crate::threads::{PART, Threads};
 
 /// Where a mesh is plainly flat.
@@ -16,9 +16,10 @@ pub(super) enum Flat<'a> {
 impl Flat<'_> {
     /// Asks cones that are not kept.
     pub fn bits(mesh: &Mesh<'_>, stars: &Stars, sharp: f64, threads: &Threads<'_>) -> Result<Self, Error> {
+        let finder = ConeFinder::new(mesh);
         let parts = threads.map(0..stars.len().div_ceil(PART), |part| {
             let vertices = part * PART..((part + 1) * PART).min(stars.len());
-            let cones = Cones::some(mesh, stars, vertices.clone())?;
+            let cones = finder.some(mesh, stars, vertices.clone())?;
             let bit = |v: usize| u64::from(cones.is_flat(v as u32, sharp)) << (v % 64);
             let word = |first: usize| (first..vertices.end.min(first + 64)).fold(0, |word, v| word | bit(v));
             Ok(vertices.clone().step_by(64).map(word).collect::<Vec<_>>())
@@ -48,7 +49,7 @@ mod tests {
             (0..19_998).map(|i| if i % 2 == 0 { [i, i + 2, i + 1] } else { [i, i + 1, i + 2] }).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
         let stars = Stars::new(&mesh, &Threads::ONE).expect("stars");
-        let cones = Cones::all(&mesh, &stars, &Threads::ONE).expect("cones");
+        let cones = ConeFinder::new(&mesh).all(&mesh, &stars, &Threads::ONE).expect("cones");
         let (kept, asked) = (Flat::Cones(&cones, 0.9), Flat::bits(&mesh, &stars, 0.9, &Threads::ONE).expect("bits"));
         let flat: Vec<_> = (0..20_000).map(|v| kept.is_around(v)).collect();
         assert!((0..20_000).all(|v| asked.is_around(v) == flat[v as usize]));

@@ -119,7 +119,7 @@ mod tests {
     use super::*;
     use crate::guard::Guard;
     use crate::mesh::{Mesh, Stars};
-    use crate::star::{LocalStar, Site};
+    use crate::star::{ConeFinder, LocalStar, Site};
     use crate::threads::Threads;
 
     const FLOOR: f64 = 0.5;
@@ -152,7 +152,7 @@ mod tests {
         let positions: Vec<_> = origins.iter().map(DVec3::to_array).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let rings = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let cones = Cones::all(&mesh, &rings, &Threads::ONE).unwrap();
+        let cones = ConeFinder::new(&mesh).all(&mesh, &rings, &Threads::ONE).unwrap();
         let mut stars = LocalStar::default();
         let site = |vertex: u32| {
             let origin = mesh.positions[vertex as usize];

@@ -72,23 +72,6 @@ impl Cones {
         vertex_count <= LARGEST
     }
 
-    /// The cones of all stars.
-    pub fn all(mesh: &Mesh<'_>, stars: &Stars, threads: &Threads<'_>) -> Result<Self, Error> {
-        let (mut cones, look) = (threads.filled(Cone::UNKNOWN, stars.len())?, Look::new(mesh, stars));
-        threads.each(cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
-            dispatch!(Level::new(), simd => look.fill(simd, (part * PART) as u32, cones));
-        });
-        Ok(Self { first: 0, cones, scale: look.scale })
-    }
-
-    /// Those of some consecutive stars.
-    pub fn some(mesh: &Mesh<'_>, stars: &Stars, vertices: Range<usize>) -> Result<Self, Error> {
-        let (mut cones, look) = (memory::filled(Cone::UNKNOWN, vertices.len())?, Look::new(mesh, stars));
-        let first = vertices.start as u32;
-        dispatch!(Level::new(), simd => look.fill(simd, first, &mut cones));
-        Ok(Self { first, cones, scale: look.scale })
-    }
-
     /// Whether no triangle around `v` is thin, and no two meet at an angle of which this is the cosine, or more.
     pub fn is_flat(&self, v: u32, cosine: f64) -> bool {
         f64::from(self.cones[(v - self.first) as usize].bend) < 0.5 * (1.0 - cosine)
@@ -176,31 +159,46 @@ fn scale(mesh: &Mesh<'_>) -> f64 {
     if edge > 0.0 && edge < f64::INFINITY { libm::ldexp(1.0, -libm::ilogb(edge)) } else { 1.0 }
 }
 
-/// Looks at the original stars.
-struct Look<'a> {
-    mesh: &'a Mesh<'a>,
-    stars: &'a Stars,
+/// Finds cones.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ConeFinder {
     /// Cosine and sine of the largest turn.
     turn: [f64; 2],
     /// One over the typical edge.
     scale: f64,
 }
 
-impl<'a> Look<'a> {
-    fn new(mesh: &'a Mesh<'a>, stars: &'a Stars) -> Self {
+impl ConeFinder {
+    pub fn new(mesh: &Mesh<'_>) -> Self {
         let turn = [libm::cos, libm::sin].map(|of| of(LARGEST_TURN.to_radians()));
-        Self { mesh, stars, turn, scale: scale(mesh) }
+        Self { turn, scale: scale(mesh) }
+    }
+
+    /// The cones of all stars.
+    pub fn all(&self, mesh: &Mesh<'_>, stars: &Stars, threads: &Threads<'_>) -> Result<Cones, Error> {
+        let mut cones = threads.filled(Cone::UNKNOWN, stars.len())?;
+        threads.each(cones.chunks_mut(PART).enumerate().collect(), |(part, cones)| {
+            dispatch!(Level::new(), simd => self.fill(simd, (mesh, stars), (part * PART) as u32, cones));
+        });
+        Ok(Cones { first: 0, cones, scale: self.scale })
+    }
+
+    /// Those of some consecutive stars.
+    pub fn some(&self, mesh: &Mesh<'_>, stars: &Stars, vertices: Range<usize>) -> Result<Cones, Error> {
+        let (mut cones, first) = (memory::filled(Cone::UNKNOWN, vertices.len())?, vertices.start as u32);
+        dispatch!(Level::new(), simd => self.fill(simd, (mesh, stars), first, &mut cones));
+        Ok(Cones { first, cones, scale: self.scale })
     }
 
     /// Fills in the cones of consecutive vertices.
     #[inline(always)]
-    fn fill<S: Simd>(&self, simd: S, first: u32, cones: &mut [Cone]) {
+    fn fill<S: Simd>(&self, simd: S, (mesh, stars): (&Mesh<'_>, &Stars), first: u32, cones: &mut [Cone]) {
         let (mut local, mut arms) = (LocalStars::<f64x8<S>>::default(), Vec::new());
-        let (all, end) = (&self.mesh.positions[..], first + cones.len() as u32);
+        let (all, end) = (&mesh.positions[..], first + cones.len() as u32);
         for start in (first..end).step_by(TOGETHER) {
             let vertices = start..end.min(start + TOGETHER as u32);
-            for (vertices, count) in Companions::new(vertices, |v| self.stars.valence(v)).companies() {
-                local.gather(self.stars, |v: u32| all[v as usize], &vertices);
+            for (vertices, count) in Companions::new(vertices, |v| stars.valence(v)).companies() {
+                local.gather(stars, |v: u32| all[v as usize], &vertices);
                 let axis = self.take_arms(simd, &local, &mut arms);
                 let found = self.cones(simd, &local, &arms, axis);
                 for (star, &v) in vertices[..count].iter().enumerate() {
@@ -316,8 +314,8 @@ mod tests {
         let positions: Vec<_> = positions.iter().map(DVec3::to_array).collect();
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).unwrap();
         let stars = Stars::new(&mesh, &Threads::ONE).unwrap();
-        let cones = Cones::all(&mesh, &stars, &Threads::ONE).unwrap();
-        let some = Cones::some(&mesh, &stars, 0..1).unwrap();
+        let cones = ConeFinder::new(&mesh).all(&mesh, &stars, &Threads::ONE).unwrap();
+        let some = ConeFinder::new(&mesh).some(&mesh, &stars, 0..1).unwrap();
         assert_eq!(cones.is_flat(0, cosine), some.is_flat(0, cosine));
         cones.is_flat(0, cosine)
     }

@@ -18,7 +18,7 @@ mod vectors;
 mod witness;
 
 pub(crate) use company::{Companions, LANES, TOGETHER, companies};
-pub(crate) use cone::{ConeRows, Cones};
+pub(crate) use cone::{ConeFinder, ConeRows, Cones};
 pub(crate) use local::{Countdown, LocalStar, LocalStars, Site, double_vector_area};
 pub(crate) use number::{Arithmetic, Number, Single};
 pub(crate) use operation::{Draft, Operation};

@@ -26,12 +26,12 @@ pub(super) fn marks(around: &Surroundings<'_>, threads: &Threads<'_>) -> Result<
 }
 
 /// What is inside the blocks: tasks of several blocks each, which don't wait for each other.
-pub(super) fn lots(around: &Surroundings<'_>, marks: &[Mark], threads: &Threads<'_>) -> Result<Vec<Lot>, Error> {
+pub(super) fn lots(around: &Surroundings<'_>, marks: &[Mark], threads: &Threads<'_>) -> Result<Vec<Vec<Lot>>, Error> {
     let size = BLOCK * blocks_at_once(marks.len(), threads);
     let lots = threads.map_each(marks.chunks(size).enumerate().collect(), |(part, marks)| {
         let (mut vertices, blocks) = inside((part * size) as u32, marks)?;
         let turns = turns::side_by_side(around, &mut vertices, &blocks)?;
-        Ok(Lot { vertices, turns })
+        Ok(vec![Lot { vertices, turns }])
     });
     lots.into_iter().collect()
 }

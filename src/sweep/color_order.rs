@@ -72,12 +72,15 @@ impl Sweeps<'_> {
         while tasks.len() > 0 {
             progress::tell(tell, self.visited as f64 / self.total as f64)?;
             let batch = tasks.by_ref().take(if threads.is_one() { 1 } else { BATCH_INSIDE * threads.count() });
-            let done = threads.map_each(batch.collect(), |task: Task<'_>| {
-                let cones = around.cones_of(task)?;
-                let around = Surroundings { cones: cones.as_ref().or(around.cones), ..*around };
-                Ok((task.carry_out(&around, places, outcomes), task.vertices.len()))
+            let done = threads.map_each(batch.collect(), |tasks| {
+                let carry_out = |task: Task<'_>| {
+                    let cones = around.cones_of(task)?;
+                    let around = Surroundings { cones: cones.as_ref().or(around.cones), ..*around };
+                    Ok((task.carry_out(&around, places, outcomes), task.vertices.len()))
+                };
+                tasks.map(carry_out).collect::<Result<Vec<_>, Error>>()
             });
-            for (tally, visited) in done.into_iter().collect::<Result<Vec<_>, Error>>()? {
+            for (tally, visited) in done.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter().flatten() {
                 self.tally += tally;
                 self.visited += visited;
             }
@@ -105,8 +108,7 @@ impl Surroundings<'_> {
     fn cones_of(&self, task: Task<'_>) -> Result<Option<Cones>, Error> {
         let (first, last) = (task.vertices.iter().min(), task.vertices.iter().max());
         let vertices = first.map_or(0, |&v| v as usize)..last.map_or(0, |&v| v as usize + 1);
-        let look = || Cones::some(self.mesh, self.stars, vertices);
-        self.looks_for_cones.then(look).transpose()
+        self.cone_finder.map(|finder| finder.some(self.mesh, self.stars, vertices)).transpose()
     }
 }
 
@@ -128,6 +130,7 @@ mod tests {
     use super::*;
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
+    use crate::star::ConeFinder;
 
     /// A bumpy grid that is large.
     fn grid() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -160,10 +163,11 @@ mod tests {
             Preparation::new(positions.as_slice(), &triangles, &options, &free, &Threads::ONE).expect("a mesh");
         let around = prepared.surroundings(&options);
         let expected = swept(&around, 1);
+        let finder = ConeFinder::new(around.mesh);
         assert!(around.cones.is_some() && expected != around.mesh.positions);
-        for (looks_for_cones, threads) in [(true, 1), (true, 3), (false, 1), (false, 3)] {
-            let around = Surroundings { cones: None, looks_for_cones, ..around };
-            assert!(swept(&around, threads) == expected, "{looks_for_cones}, {threads} threads");
+        for (cone_finder, threads) in [(Some(finder), 1), (Some(finder), 3), (None, 1), (None, 3)] {
+            let around = Surroundings { cones: None, cone_finder, ..around };
+            assert!(swept(&around, threads) == expected, "{cone_finder:?}, {threads} threads");
         }
         assert!(swept(&around, 3) == expected, "three threads");
     }

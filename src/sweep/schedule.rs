@@ -20,8 +20,8 @@ const TASK: usize = 128 * TOGETHER;
 
 /// The vertices that may move, in the order of their visits. It depends on the mesh alone.
 pub(super) struct Schedule {
-    /// First those inside the blocks or the shares: tasks that don't wait for each other.
-    inside: Vec<Lot>,
+    /// First those inside the blocks or the shares: lists of tasks, each of which waits for those before it in its own list only.
+    inside: Vec<Vec<Lot>>,
     /// Then those that have neighbours in another one: for each colour tasks that don't wait for each other.
     between: Vec<Vec<Lot>>,
     /// Then those that no colour was left for, to be visited one by one.
@@ -56,13 +56,13 @@ impl Schedule {
 
     /// How many vertices there are.
     pub fn len(&self) -> usize {
-        let lots = self.inside.iter().chain(self.between.iter().flatten());
+        let lots = self.inside.iter().chain(&self.between).flatten();
         lots.map(|lot| lot.vertices.len()).sum::<usize>() + self.rest.len()
     }
 
-    /// The inside of blocks, or of each share, as tasks that don't wait for each other.
-    pub fn inside(&self) -> impl ExactSizeIterator<Item = Task<'_>> {
-        self.inside.iter().map(Lot::task)
+    /// The inside of blocks or shares: lists of tasks, each of which waits for those before it in its own list only.
+    pub fn inside(&self) -> impl ExactSizeIterator<Item = impl Iterator<Item = Task<'_>>> {
+        self.inside.iter().map(|lots| lots.iter().map(Lot::task))
     }
 
     /// What lies between them, colour by colour.
@@ -141,14 +141,17 @@ mod tests {
         let schedule = Schedule::with(&around, by_shares, &Threads::ONE).unwrap();
         let several = Threads::with(3, 1_000_000, |threads| Schedule::with(&around, by_shares, threads)).unwrap();
         assert!(several.rest() == schedule.rest() && several.between().eq(schedule.between()));
-        assert!(!by_shares || several.inside().eq(schedule.inside()));
+        assert!(!by_shares || several.inside().flatten().eq(schedule.inside().flatten()));
         let mut seen: Vec<u32> = schedule.rest().to_vec();
-        for round in std::iter::once(schedule.inside().collect()).chain(schedule.between()) {
+        let inside: Vec<Vec<_>> = schedule.inside().map(Iterator::collect).collect();
+        let between = schedule.between().map(|tasks| tasks.into_iter().map(|task| vec![task]).collect());
+        for lists in std::iter::once(inside).chain(between) {
             let mut owners = HashMap::new();
-            for (number, task) in round.iter().enumerate() {
+            for (number, &task) in lists.iter().enumerate().flat_map(|(n, list)| list.iter().map(move |task| (n, task)))
+            {
                 seen.extend(task.vertices);
                 owners.extend(task.vertices.iter().map(|&v| (v, number)));
-                check_turns(&around, *task);
+                check_turns(&around, task);
             }
             let is_apart = |(v, own): (&u32, &usize)| {
                 around.stars.rim(*v).iter().all(|r| owners.get(r).is_none_or(|other| other == own))

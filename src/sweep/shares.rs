@@ -48,10 +48,16 @@ impl Shares {
         Ok(marks)
     }
 
-    /// Tasks of a share each, which don't wait for each other.
-    pub fn lots(&self, around: &Surroundings<'_>, marks: &[Mark], threads: &Threads<'_>) -> Result<Vec<Lot>, Error> {
+    /// For each share tasks that wait for each other, but not for those of other shares.
+    pub fn lots(
+        &self,
+        around: &Surroundings<'_>,
+        marks: &[Mark],
+        threads: &Threads<'_>,
+    ) -> Result<Vec<Vec<Lot>>, Error> {
         let lots = threads.map_each(marks.chunks(self.size).enumerate().collect(), |(share, marks)| {
-            lot(around, self.vertices(share).start as u32, marks)
+            let firsts = (self.vertices(share).start as u32..).step_by(LITTLE);
+            firsts.zip(marks.chunks(LITTLE)).map(|(first, marks)| lot(around, first, marks)).collect()
         });
         lots.into_iter().collect()
     }
@@ -72,18 +78,13 @@ fn mark(around: &Surroundings<'_>, first: usize, marks: &mut [Mark]) {
     }
 }
 
-/// The task for the vertices inside a share, the first of which is number `first`.
+/// The task for those of a few vertices that are inside their share; the first of all is number `first`.
 fn lot(around: &Surroundings<'_>, first: u32, marks: &[Mark]) -> Result<Lot, Error> {
     let count = marks.iter().filter(|mark| mark.is_inside()).count();
-    let (mut vertices, mut turns) = (memory::filled(0, count)?, Vec::new());
-    let mut left = &mut vertices[..];
-    for (first, marks) in (first..).step_by(LITTLE).zip(marks.chunks(LITTLE)) {
-        let mut start = 0;
-        for end in sort(first, marks, left) {
-            turns::take(around, &mut left[start..end], &mut turns)?;
-            start = end;
-        }
-        left = &mut left[start..];
+    let (mut vertices, mut turns, mut start) = (memory::filled(0, count)?, Vec::new(), 0);
+    for end in sort(first, marks, &mut vertices) {
+        turns::take(around, &mut vertices[start..end], &mut turns)?;
+        start = end;
     }
     Ok(Lot { vertices, turns })
 }

@@ -9,7 +9,9 @@ use crate::features::{Features, Role};
 use crate::guard::{Leash, Scene};
 use crate::memory;
 use crate::mesh::{Mesh, Stars};
-use crate::star::{Cones, Draft, LocalStar, LocalStars, Number, Operation, Site, Vectors, set_vector, vector};
+use crate::star::{
+    ConeFinder, Cones, Draft, LocalStar, LocalStars, Number, Operation, Site, Vectors, set_vector, vector,
+};
 
 /// Bounds where the shape of the surface is to be kept.
 const ON_SURFACE: Leash = Leash { planes: 0.12, place: f64::INFINITY };
@@ -36,8 +38,8 @@ pub(crate) struct Surroundings<'a> {
     pub features: &'a Features,
     /// Cones around the original normals, where they are of use.
     pub cones: Option<&'a Cones>,
-    /// Whether cones would be of use, but are too many to be kept: then each share of the mesh is looked at when its turn comes.
-    pub looks_for_cones: bool,
+    /// How to look for cones where they would be of use, but are too many to be kept: then each task does when its turn comes.
+    pub cone_finder: Option<ConeFinder>,
     pub operation: &'a Operation,
     /// Mean-ratio shape below which no star's worst triangle may fall.
     pub floor: f64,
