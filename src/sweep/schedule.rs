@@ -11,8 +11,8 @@ use crate::memory;
 use crate::star::TOGETHER;
 use crate::threads::Threads;
 
-/// Vertices up to which a mesh is swept by blocks, so that neighbours mostly follow each other by index. Beyond, that would cost more
-/// than the visits, since it takes many blocks at once, and a processor's caches don't hold them all.
+/// Vertices up to which a mesh is swept by blocks, where neighbours mostly follow each other by index, so that bad shapes are carried
+/// a little further. Beyond, many blocks at once would be too much for a processor's caches, and shares are faster by a quarter.
 pub(super) const LARGE: usize = 1 << 18;
 
 /// Vertices of a task between blocks or shares, at most: few enough for all threads to end at about the same time.
