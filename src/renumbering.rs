@@ -328,6 +328,18 @@ mod tests {
     }
 
     #[test]
+    fn buckets_hold_more_than_there_is_room_for() {
+        // Two buckets, and all triangles in the first.
+        let ranks: Vec<u32> = (0..2 * BUCKET as u32).collect();
+        let given: Vec<_> = (0..1000).map(|i| [ranks.len() as u32 - 1, i * 7919 % 100, 100 + i]).collect();
+        let thrown = Buckets::thrown(&ranks, &given, 2).expect("memory");
+        assert!(!thrown.others[0].is_empty() && thrown.of(0).eq(&given) && thrown.of(1).count() == 0);
+        let mut expected = given.clone();
+        expected.sort_by_key(|&triangle| least(triangle));
+        assert_eq!(sorted_triangles(&ranks, &given, &Threads::ONE).expect("memory"), expected);
+    }
+
+    #[test]
     fn what_is_written_reaches_the_caller_under_its_own_number() {
         let (mut positions, triangles) = strip(99);
         let before = positions.clone();

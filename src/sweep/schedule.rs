@@ -182,7 +182,7 @@ mod tests {
             check([40, 30], true, by_shares);
             assert!(check([199, 399], false, by_shares) > 4);
             assert!(check([199, 399], true, by_shares) > 4);
-            // Rows that are longer than blocks and shares.
+            // Rows that are longer than blocks and as long as shares.
             assert!(check([4095, 19], false, by_shares) > 4);
         }
     }
