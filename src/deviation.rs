@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::{Mesh, Stars};
+use crate::mesh::{Mesh, Positions, Stars};
 use crate::threads::{PART, Threads};
 
 /// The surface as it came in.
@@ -17,11 +17,11 @@ impl<'a> Surface<'a> {
     }
 
     /// The greatest distance of those vertices that have moved to `new` and that `counts` holds for.
-    pub fn farthest(&self, new: &[DVec3], counts: impl Fn(u32) -> bool + Sync, threads: &Threads<'_>) -> f64 {
+    pub fn farthest(&self, new: &Positions, counts: impl Fn(u32) -> bool + Sync, threads: &Threads<'_>) -> f64 {
         let of_part = |part: usize| {
             let vertices = part * PART..((part + 1) * PART).min(new.len());
-            let moved = vertices.filter(|&v| new[v] != self.mesh.positions[v] && counts(v as u32));
-            moved.map(|v| self.distance(v as u32, new[v])).fold(0.0, f64::max)
+            let moved = vertices.filter(|&v| new.at(v) != self.mesh.positions.at(v) && counts(v as u32));
+            moved.map(|v| self.distance(v as u32, new.at(v))).fold(0.0, f64::max)
         };
         threads.map(0..new.len().div_ceil(PART), of_part).into_iter().fold(0.0, f64::max)
     }
@@ -43,7 +43,7 @@ impl<'a> Surface<'a> {
     /// From vertex to vertex, hubs left out, as long as one of the ring is nearer to the point.
     fn walk(&self, mut v: u32, point: DVec3) -> u32 {
         loop {
-            let square = |r: u32| self.mesh.positions[r as usize].distance_squared(point);
+            let square = |r: u32| self.mesh.position(r).distance_squared(point);
             let ring = self.stars.ring(v).iter().copied().filter(|&r| !self.stars.is_hub(r));
             let next = ring.min_by(|&a, &b| square(a).total_cmp(&square(b)));
             match next {
@@ -55,7 +55,7 @@ impl<'a> Surface<'a> {
 
     /// Squared distances to the original triangles around `v` and to their rim.
     fn distance_to_star(&self, v: u32, point: DVec3) -> Reach {
-        let p = |k: u32| self.mesh.positions[k as usize];
+        let p = |k: u32| self.mesh.position(k);
         let ring = self.stars.ring(v);
         let turn = if self.stars.flanks(v, 0).is_some() { ring.first() } else { None };
         let around = ring.iter().chain(turn).map(|&r| p(r));

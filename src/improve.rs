@@ -1,11 +1,9 @@
 //! Treating the tail, alone or after smoothing: buffers in, shorter buffers out.
 
-use glam::DVec3;
-
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::{Coordinate, Mesh};
+use crate::mesh::{Coordinate, Mesh, Positions};
 use crate::options::{Constraints, Options};
 use crate::preparation::Preparation;
 use crate::progress::{self, Progress};
@@ -51,7 +49,7 @@ pub fn collapse_tails<T: Coordinate>(
         let prepared = Preparation::new(positions.as_slice(), triangles, options, constraints, threads)?;
         progress::tell(progress, 0.0)?;
         let around = prepared.surroundings(options);
-        let start = memory::copied(&prepared.mesh.positions)?;
+        let start = prepared.mesh.positions.doubled()?;
         let mut outcome = tail::run(&around, start, tail, progress)?;
         if options.measure {
             let Mesh { positions, triangles, unit, .. } = around.mesh;
@@ -86,7 +84,7 @@ pub fn improve<T: Coordinate>(
         let sweeps = &mut |done: f64| progress(SWEEPS * done);
         let (new, mut smoothing) = smooth::sweeps(&prepared, options, constraints, threads, sweeps)?;
         let rest = &mut |done: f64| progress(SWEEPS + (1.0 - SWEEPS) * done);
-        let mut outcome = tail::run(&around, new, tail, rest)?;
+        let mut outcome = tail::run(&around, new.into_doubles()?, tail, rest)?;
         smoothing.seconds.tail = outcome.report.seconds;
         smoothing.seconds.total += outcome.report.seconds;
         if options.measure {
@@ -108,8 +106,7 @@ fn check(options: &Options, tail: &TailOptions<'_>, triangles: &[[u32; 3]]) -> R
 fn measure(around: &Surroundings<'_>, outcome: &mut Outcome, threads: &Threads<'_>) -> Result<(), Error> {
     let Outcome { positions, triangles, sources, report, lost_height } = outcome;
     let mesh = around.mesh;
-    let mut kept: Vec<DVec3> = memory::reserved(sources.vertex.len())?;
-    kept.extend(sources.vertex.iter().map(|&v| positions[v as usize]));
+    let kept = Positions::new(false, sources.vertex.len(), |v| positions.at(sources.vertex[v] as usize), threads)?;
     report.after = Measurement::of(&kept, triangles, mesh.unit, threads)?;
     report.volume_relative_change = report.after.volume_change_from(&report.before);
     let farthest =
@@ -132,7 +129,7 @@ impl<T: Coordinate> Output<T> {
         let mut positions = memory::reserved(sources.vertex.len())?;
         positions.extend(sources.vertex.iter().map(|&v| {
             let v = v as usize;
-            if new[v] == mesh.positions[v] { stored[v] } else { mesh.stored(new[v]) }
+            if new.at(v) == mesh.positions.at(v) { stored[v] } else { mesh.stored(new.at(v)) }
         }));
         Ok(Self { positions, triangles, sources, report })
     }

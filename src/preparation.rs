@@ -44,7 +44,7 @@ impl<'a> Preparation<'a> {
         let sizes = options.keep_sizes.then(|| Sizes::new(&mesh, &stars, threads)).transpose()?;
         let operation = Operation::new(options, sizes);
         let worthwhile = are_cones_worthwhile(options, &operation);
-        let kept = worthwhile && Cones::may_be_kept(stars.len());
+        let kept = worthwhile && Cones::may_be_kept(&mesh);
         let cones = kept.then(|| ConeFinder::new(&mesh).all(&mesh, &stars, threads)).transpose()?;
         let features = Features::new((&mesh, &stars, cones.as_ref()), options, constraints, threads)?;
         let finding = clock.elapsed().as_secs_f64() - adjacency;

@@ -3,12 +3,10 @@
 use std::ops::Range;
 use std::time::Instant;
 
-use glam::DVec3;
-
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
-use crate::mesh::{Coordinate, Vertices};
+use crate::mesh::{Coordinate, Positions, Vertices};
 use crate::options::{Constraints, Options, Order};
 use crate::preparation::{Preparation, check_constraints};
 use crate::progress::{self, Progress};
@@ -82,7 +80,7 @@ fn smooth_on<T: Coordinate>(
     let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;
     let mesh = prepared.into_mesh();
-    positions.set(|v| (mesh.positions[v] != new[v]).then(|| mesh.stored(new[v])), threads);
+    positions.set(|v| (mesh.positions.at(v) != new.at(v)).then(|| mesh.stored(new.at(v))), threads);
     Ok(report)
 }
 
@@ -93,7 +91,7 @@ pub(crate) fn sweeps(
     constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
-) -> Result<(Vec<DVec3>, Report), Error> {
+) -> Result<(Positions, Report), Error> {
     let clock = Instant::now();
     let around = prepared.surroundings(options);
     let outcomes = Outcomes::new(prepared.mesh.positions.len(), threads)?;
@@ -109,7 +107,13 @@ pub(crate) fn sweeps(
     Ok((new, report))
 }
 
-fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: Tally, threads: &Threads<'_>) -> Report {
+fn count(
+    around: &Surroundings<'_>,
+    new: &Positions,
+    outcomes: &Outcomes,
+    tally: Tally,
+    threads: &Threads<'_>,
+) -> Report {
     let parts = threads.parts(new.len(), |part| count_part(around, new, outcomes, part));
     let (moved, kept) =
         parts.into_iter().fold((0, Kept::default()), |(moved, kept), part| (moved + part.0, kept + part.1));
@@ -125,11 +129,11 @@ fn count(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, tally: T
 }
 
 /// Counts what became of each vertex of a part: how many have moved, and why the others have not.
-fn count_part(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
+fn count_part(around: &Surroundings<'_>, new: &Positions, outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
     let (mut moved, mut kept) = (0, Kept::default());
     for v in part {
         let reason = match (around.features.role(v as u32), outcomes.get(v as u32)) {
-            _ if new[v] != around.mesh.positions[v] => &mut moved,
+            _ if new.at(v) != around.mesh.positions.at(v) => &mut moved,
             (Role::Unreferenced, _) => &mut kept.unreferenced,
             (Role::Locked, _) => &mut kept.locked,
             (Role::NonManifold, _) => &mut kept.non_manifold,
@@ -148,7 +152,7 @@ fn count_part(around: &Surroundings<'_>, new: &[DVec3], outcomes: &Outcomes, par
 fn measure_into(
     report: &mut Report,
     around: &Surroundings<'_>,
-    new: &[DVec3],
+    new: &Positions,
     threads: &Threads<'_>,
 ) -> Result<(), Error> {
     let mesh = around.mesh;

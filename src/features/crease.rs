@@ -1,5 +1,7 @@
 //! Creases, told from noise.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::flat::Flat;
@@ -23,12 +25,12 @@ const FLAT: f64 = 0.984_807_753_012_208;
 /// Marks the edges whose two sides meet at more than the angle of which `sharp` is the cosine, short patches of noise left out.
 pub(super) fn mark(
     (mesh, stars): (&Mesh<'_>, &Stars),
-    (sharp, flat): (f64, &Flat<'_>),
+    (sharp, flat): (f64, &Flat),
     threads: &Threads<'_>,
     slots: &mut SlotSet,
 ) -> Result<(), Error> {
     let dihedral = Dihedral { mesh, stars, flat, sharp };
-    let parts = threads.parts(stars.len(), |part| dihedral.sharp_edges(part.start as u32..part.end as u32));
+    let parts = threads.parts(stars.len(), |part| dihedral.sharp_edges(part));
     let mut edges = memory::reserved(parts.iter().map(Vec::len).sum())?;
     parts.into_iter().for_each(|part| edges.extend(part));
     let mut patches = Patches::new(&edges)?;
@@ -44,16 +46,16 @@ pub(super) fn mark(
 struct Dihedral<'a> {
     mesh: &'a Mesh<'a>,
     stars: &'a Stars,
-    flat: &'a Flat<'a>,
+    flat: &'a Flat,
     /// Cosine of the angle above which an edge is sharp.
     sharp: f64,
 }
 
 impl Dihedral<'_> {
-    /// The sharp edges that are seen first from these vertices, and whether they are clear.
-    fn sharp_edges(&self, vertices: std::ops::Range<u32>) -> Vec<([u32; 2], bool)> {
+    /// The sharp edges that are seen first from a part of the vertices, and whether they are clear.
+    fn sharp_edges(&self, part: Range<usize>) -> Vec<([u32; 2], bool)> {
         let mut edges = Vec::new();
-        for v in vertices.filter(|&v| !self.flat.is_around(v)) {
+        for v in self.flat.others(part) {
             for (i, &r) in self.stars.ring(v).iter().enumerate() {
                 let seen_once = v < r && !self.flat.is_around(r) || self.stars.ring(r).is_empty();
                 if seen_once
@@ -79,7 +81,7 @@ impl Dihedral<'_> {
     /// Whether both triangles of an edge are to be believed and their normals clearly agree: most edges, without a root or
     /// a division.
     fn is_plainly_flat(&self, corners: [u32; 4]) -> bool {
-        let [v, r, before, after] = corners.map(|corner| self.mesh.positions[corner as usize]);
+        let [v, r, before, after] = corners.map(|corner| self.mesh.position(corner));
         let (edge, b, a) = (r - v, before - v, after - v);
         let (left, right) = (b.cross(edge), edge.cross(a));
         let squares = [left.length_squared(), right.length_squared()];

@@ -67,10 +67,7 @@ impl Features {
         let mut marked = SlotSet::new(stars)?;
         if let Some(angle) = options.feature_angle {
             let sharp = libm::cos(angle.to_radians());
-            let flat = match cones {
-                Some(cones) => Flat::Cones(cones, sharp),
-                None => Flat::bits(mesh, stars, sharp, threads)?,
-            };
+            let flat = Flat::new((mesh, stars, cones), sharp, threads)?;
             crease::mark((mesh, stars), (sharp, &flat), threads, &mut slots)?;
         }
         for &[a, b] in constraints.feature_edges {
@@ -144,9 +141,11 @@ impl Judge<'_> {
     }
 
     fn inside(&self, v: u32) -> Role {
+        if self.slots.has_none_of(self.stars, v) {
+            return Role::Free;
+        }
         let ends: Vec<usize> = self.slots.of(self.stars, v).collect();
         match ends[..] {
-            [] => Role::Free,
             [first, second] if self.is_straight(v, [first, second]) => Role::Crease,
             _ if self.marked.of(self.stars, v).next().is_some() => Role::Corner,
             _ if corner::is_credible(self.mesh, self.stars, v, &ends) => Role::Corner,
@@ -156,7 +155,7 @@ impl Judge<'_> {
 
     /// Whether the line from one ring position over `v` to the other is straight enough to slide along.
     fn is_straight(&self, v: u32, ends: [usize; 2]) -> bool {
-        let at = |r: u32| self.mesh.positions[r as usize];
+        let at = |r: u32| self.mesh.position(r);
         let [one, other] = ends.map(|i| (at(self.stars.ring(v)[i]) - at(v)).normalize_or_zero());
         -one.dot(other) >= self.straight
     }

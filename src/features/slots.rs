@@ -14,11 +14,24 @@ pub(crate) struct SlotSet {
 impl SlotSet {
     /// The empty set.
     pub fn new(stars: &Stars) -> Result<Self, Error> {
-        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 1)?, edges: 0 })
+        // One word more, so that there always is a next one.
+        Ok(Self { bits: memory::filled(0, stars.slot_count() / 64 + 2)?, edges: 0 })
     }
 
     fn contains(&self, slot: usize) -> bool {
         self.bits[slot / 64] >> (slot % 64) & 1 == 1
+    }
+
+    /// Whether no edge of `v` is in the set.
+    #[inline]
+    pub fn has_none_of(&self, stars: &Stars, v: u32) -> bool {
+        let slots = stars.ring_slots(v);
+        let (word, bit) = (slots.start / 64, slots.start % 64);
+        if slots.len() >= 64 {
+            return self.within(slots).next().is_none();
+        }
+        let next = (self.bits[word] >> bit) | (self.bits[word + 1] << 1 << (63 - bit));
+        next & ((1 << slots.len()) - 1) == 0
     }
 
     /// Ring positions of `v` that are in the set.

@@ -155,7 +155,7 @@ mod tests {
         let cones = ConeFinder::new(&mesh).all(&mesh, &rings, &Threads::ONE).unwrap();
         let mut stars = LocalStar::default();
         let site = |vertex: u32| {
-            let origin = mesh.positions[vertex as usize];
+            let origin = mesh.position(vertex);
             Site { vertex, place: origin + drift[vertex as usize] / mesh.unit, origin }
         };
         stars.take((), &rings, site, &[0]);

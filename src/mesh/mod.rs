@@ -1,12 +1,14 @@
 //! Buffers in, validated mesh and its stars out: the lowest layer.
 
 mod coordinate;
+mod positions;
 mod rings;
 mod stars;
 mod validated;
 mod vertices;
 
 pub use coordinate::Coordinate;
+pub(crate) use positions::Positions;
 pub(crate) use stars::{StarKind, Stars};
 pub(crate) use validated::{Mesh, repeats_a_vertex};
 pub(crate) use vertices::Vertices;

@@ -213,7 +213,7 @@ impl Stars {
     fn sum_double_area(&self, mesh: &Mesh<'_>, v: u32) -> DVec3 {
         let ring = self.ring(v);
         let closing = if self.kind(v) == StarKind::Closed { ring.first() } else { None };
-        let at = |&r: &u32| mesh.positions[r as usize] - mesh.positions[v as usize];
+        let at = |&r: &u32| mesh.position(r) - mesh.position(v);
         let next = ring.iter().skip(1).chain(closing);
         ring.iter().zip(next).map(|(a, b)| at(a).cross(at(b))).sum()
     }

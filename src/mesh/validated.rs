@@ -5,14 +5,14 @@ use std::ops::Range;
 use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 
-use super::{Coordinate, Vertices};
+use super::{Coordinate, Positions, Vertices};
 use crate::error::Error;
 use crate::threads::{PART, Threads};
 
 /// A mesh that the upper layers can trust. Triangles that name a vertex twice are still in it: no star takes them up.
 pub(crate) struct Mesh<'a> {
-    /// Positions in units of `unit`.
-    pub positions: Vec<DVec3>,
+    /// Positions in units of `unit`; in single precision if the caller's buffer is and the unit is 1.
+    pub positions: Positions,
     /// Corners of each triangle.
     pub triangles: &'a [[u32; 3]],
     /// The least and the greatest corner of each [`PART`] of the triangles.
@@ -38,12 +38,19 @@ impl<'a> Mesh<'a> {
         let unit = unit_of(parts.into_iter().try_fold(0.0, |largest, part| Ok(f64::max(largest, part?)))?);
         // Scaling down takes two steps where the reciprocal itself would be subnormal.
         let read = |v: usize| DVec3::from_array(positions.get(v).map(Coordinate::to_f64));
-        let scaled = if unit == 1.0 {
-            threads.collect(vertex_count, read)?
+        let single = T::from_f64(0.1).to_f64() != 0.1;
+        let positions = if unit == 1.0 {
+            Positions::new(single, vertex_count, read, threads)?
         } else {
-            threads.collect(vertex_count, |v| read(v) / unit)?
+            Positions::new(false, vertex_count, |v| read(v) / unit, threads)?
         };
-        Ok(Self { positions: scaled, triangles, spans, unit, single: T::from_f64(0.1).to_f64() != 0.1 })
+        Ok(Self { positions, triangles, spans, unit, single })
+    }
+
+    /// Position of a vertex.
+    #[inline(always)]
+    pub fn position(&self, v: u32) -> DVec3 {
+        self.positions.at(v as usize)
     }
 
     /// The triangles, part by part, without those parts in which no corner is one of these `vertices`. With each part goes the number
@@ -58,7 +65,7 @@ impl<'a> Mesh<'a> {
 
     /// Positions of the corners of a triangle.
     pub fn corners(&self, triangle: &[u32; 3]) -> [DVec3; 3] {
-        triangle.map(|v| self.positions[v as usize])
+        triangle.map(|v| self.position(v))
     }
 
     /// The nearest position that the caller's buffers can hold.

@@ -7,7 +7,7 @@ use super::distribution::Distribution;
 use super::triangle::Sides;
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::{Coordinate, Mesh, repeats_a_vertex};
+use crate::mesh::{Coordinate, Mesh, Positions, repeats_a_vertex};
 use crate::threads::Threads;
 
 /// What [`measure`] finds.
@@ -106,12 +106,12 @@ pub fn histogram<T: Coordinate>(
 impl Measurement {
     /// Measures positions in units of `unit`.
     pub(crate) fn of(
-        positions: &[DVec3],
+        positions: &Positions,
         triangles: &[[u32; 3]],
         unit: f64,
         threads: &Threads<'_>,
     ) -> Result<Self, Error> {
-        let sides = |t: &[u32; 3]| Sides::new(t.map(|v| positions[v as usize]));
+        let sides = |t: &[u32; 3]| Sides::new(t.map(|v| positions.at(v as usize)));
         let found = threads.map(0..Parameter::ALL.len(), |i| distribution(Parameter::ALL[i], triangles, sides));
         let mut found = found.into_iter();
         let mut next = || found.next().unwrap_or(Ok(Default::default()));
@@ -168,14 +168,14 @@ fn distribution(
 
 /// Volume of the cone from the centre of the bounding box, summed with error compensation (Neumaier 1974), so that the
 /// figure is good enough to show a change of 1e-15.
-fn signed_volume(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
-    let used = || triangles.iter().flatten().map(|&v| positions[v as usize]);
+fn signed_volume(positions: &Positions, triangles: &[[u32; 3]]) -> f64 {
+    let used = || triangles.iter().flatten().map(|&v| positions.at(v as usize));
     let low = used().fold(DVec3::INFINITY, DVec3::min);
     let high = used().fold(DVec3::NEG_INFINITY, DVec3::max);
     let centre = low * 0.5 + high * 0.5;
     let (mut sum, mut lost) = (0.0_f64, 0.0_f64);
     for t in triangles {
-        let [a, b, c] = t.map(|v| positions[v as usize] - centre);
+        let [a, b, c] = t.map(|v| positions.at(v as usize) - centre);
         let term = a.cross(b).dot(c);
         let next = sum + term;
         lost += if sum.abs() >= term.abs() { (sum - next) + term } else { (term - next) + sum };

@@ -4,15 +4,16 @@
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch, f64x8};
+use glam::DVec3;
 
-use super::company::{Companions, LANES, TOGETHER};
+use super::company::{Companions, TOGETHER};
 use super::local::{Countdown, LocalStars};
 use super::number::{Arithmetic, Number, Single};
 use super::vectors::Vectors;
 use super::witness::{Arm, CLEAR, LARGEST_TURN, MEANINGLESS, THIN, TINY, Witness};
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::{Mesh, Stars};
+use crate::mesh::{Mesh, Positions, Stars};
 use crate::threads::{PART, Threads};
 
 /// By how much cones are wider than computed, in cosines and sines: more than what single precision does to the angles of
@@ -26,7 +27,8 @@ const BLUR: f64 = 4e-6;
 /// Squared cosine of the widest cone that is of use: 74°.
 const WIDEST: f64 = 0.076;
 
-/// The largest mesh whose cones are kept: they take 28 bytes a vertex, which is too much where memory is short.
+/// The largest mesh in double precision whose cones are kept: they take 24 bytes a vertex, which is too much beside the positions
+/// where memory is short.
 const LARGEST: usize = 1 << 24;
 
 /// A cone for each of consecutive vertices; for stars with many triangles or none of use that nothing agrees with.
@@ -46,10 +48,9 @@ struct Cone {
     /// Squared cosine of the angle between the axis and a normal that has turned by less than allowed from all normals in the
     /// cone; infinite where there is no such angle.
     turn: f32,
-    /// Squared sine of the half angle of the cone around the normals of those triangles that are not thin.
+    /// Squared sine of the half angle of the cone around the normals of those triangles that are not thin; its negative if there
+    /// is a thin one.
     spread: f32,
-    /// The same around all normals; infinite if a triangle is thin.
-    bend: f32,
     /// Mean squared distance of the ring from the centre, in units of the mesh's typical edge.
     size: f32,
 }
@@ -67,14 +68,17 @@ pub(crate) struct ConesOf<N> {
 pub(crate) struct ConeRows<R>([R; 6]);
 
 impl Cones {
-    /// Whether the cones of so many vertices may be kept.
-    pub fn may_be_kept(vertex_count: usize) -> bool {
-        vertex_count <= LARGEST
+    /// Whether the cones of a mesh may be kept.
+    pub fn may_be_kept(mesh: &Mesh<'_>) -> bool {
+        match &mesh.positions {
+            Positions::Single(_) => true,
+            Positions::Double(all) => all.len() <= LARGEST,
+        }
     }
 
     /// Whether no triangle around `v` is thin, and no two meet at an angle of which this is the cosine, or more.
     pub fn is_flat(&self, v: u32, cosine: f64) -> bool {
-        f64::from(self.cones[(v - self.first) as usize].bend) < 0.5 * (1.0 - cosine)
+        (0.0..0.5 * (1.0 - cosine)).contains(&f64::from(self.cones[(v - self.first) as usize].spread))
     }
 
     /// Lengths in units of the mesh's typical edge.
@@ -95,7 +99,7 @@ impl Cones {
         let mut rows = [S::Row::default(); 6];
         for (star, &v) in vertices.iter().enumerate() {
             let Cone { axis: [x, y, z], turn, spread, size, .. } = self.cones[(v - self.first) as usize];
-            for (row, value) in rows.iter_mut().zip([x, y, z, turn, spread, size]) {
+            for (row, value) in rows.iter_mut().zip([x, y, z, turn, spread.abs(), size]) {
                 row.as_mut()[star] = value;
             }
         }
@@ -113,8 +117,7 @@ impl<R> ConeRows<R> {
 }
 
 impl Cone {
-    const UNKNOWN: Self =
-        Self { axis: [0.0; 3], turn: f32::INFINITY, spread: f32::INFINITY, bend: f32::INFINITY, size: 0.0 };
+    const UNKNOWN: Self = Self { axis: [0.0; 3], turn: f32::INFINITY, spread: f32::INFINITY, size: 0.0 };
 }
 
 impl<N: Arithmetic> ConesOf<N> {
@@ -194,15 +197,19 @@ impl ConeFinder {
     #[inline(always)]
     fn fill<S: Simd>(&self, simd: S, (mesh, stars): (&Mesh<'_>, &Stars), first: u32, cones: &mut [Cone]) {
         let (mut local, mut arms) = (LocalStars::<f64x8<S>>::default(), Vec::new());
-        let (all, end) = (&mesh.positions[..], first + cones.len() as u32);
+        let end = first + cones.len() as u32;
         for start in (first..end).step_by(TOGETHER) {
             let vertices = start..end.min(start + TOGETHER as u32);
             for (vertices, count) in Companions::new(vertices, |v| stars.valence(v)).companies() {
-                local.gather(stars, |v: u32| all[v as usize], &vertices);
-                let axis = self.take_arms(simd, &local, &mut arms);
-                let found = self.cones(simd, &local, &arms, axis);
+                gather(mesh, stars, &mut local, &vertices);
+                if arms.len() <= local.longest() {
+                    arms.resize(local.longest() + 1, Vectors::zero(simd));
+                }
+                let arms = &mut arms[..=local.longest()];
+                let axis = self.take_arms(simd, &local, arms);
+                let rows = self.cones(simd, &local, arms, axis);
                 for (star, &v) in vertices[..count].iter().enumerate() {
-                    cones[(v - first) as usize] = found[star];
+                    cones[(v - first) as usize] = cone(&rows, star);
                 }
             }
         }
@@ -215,17 +222,16 @@ impl ConeFinder {
         &self,
         token: N::Token,
         stars: &LocalStars<N>,
-        arms: &mut Vec<Vectors<N::Single>>,
+        arms: &mut [Vectors<N::Single>],
     ) -> Vectors<N::Single> {
         let (centres, scale) = (stars.centres(token), N::Single::splat(token, self.scale));
-        arms.clear();
         let mut sum = Vectors::zero(token);
-        for spoke in stars.spokes() {
-            let arm = spoke.place(token).minus(centres).single().times(scale);
-            if let Some(last) = arms.last() {
-                sum = sum.plus(last.cross(arm));
-            }
-            arms.push(arm);
+        // The first arm is seen beside itself, which spans nothing.
+        let mut last = stars.spokes()[0].place(token).minus(centres).single().times(scale);
+        for (arm, spoke) in arms.iter_mut().zip(stars.spokes()) {
+            *arm = spoke.place(token).minus(centres).single().times(scale);
+            sum = sum.plus(last.cross(*arm));
+            last = *arm;
         }
         sum.times(N::Single::splat(token, 1.0) / sum.square().root())
     }
@@ -238,7 +244,7 @@ impl ConeFinder {
         stars: &LocalStars<N>,
         arms: &[Vectors<N::Single>],
         axis: Vectors<N::Single>,
-    ) -> [Cone; LANES] {
+    ) -> [<N::Single as Single>::Row; 6] {
         let [one, zero] = [1.0, 0.0].map(|value| N::Single::splat(token, value));
         let (mut all, mut kept) = (one, one);
         let (mut known, mut thin, mut size) = (zero.below(axis.square()), one.below(zero), zero);
@@ -260,11 +266,11 @@ impl ConeFinder {
         known = known & N::Single::splat(token, WIDEST).below(all);
         let unknown = N::Single::splat(token, f64::INFINITY);
         let [widest, spread] = [all, kept].map(|squared_cosine| sine(token, squared_cosine));
-        let bend = N::Single::choose(thin, unknown, wider(token, widest));
         let size = size / stars.valences(token).single() * N::Single::splat(token, 1.0 - MARGIN);
-        let [turn, spread, bend] = [self.turn(token, all, widest), wider(token, spread), bend]
+        let [turn, spread] = [self.turn(token, all, widest), wider(token, spread)]
             .map(|number| N::Single::choose(known, number, unknown));
-        rows([axis.x, axis.y, axis.z, turn, spread, bend, size].map(Single::row))
+        let spread = N::Single::choose(thin, zero - spread, spread);
+        [axis.x, axis.y, axis.z, turn, spread, size].map(Single::row)
     }
 
     /// Squared cosines of the largest turn less the angles of which these are the squared cosines and the sines.
@@ -272,6 +278,17 @@ impl ConeFinder {
     fn turn<N: Arithmetic>(&self, token: N::Token, squared_cosine: N, its_sine: N) -> N {
         let [cosine, sine] = self.turn.map(|value| N::splat(token, value));
         wider(token, cosine * squared_cosine.root() + sine * its_sine)
+    }
+}
+
+/// Looks up where the vertices of stars are in the original mesh.
+#[inline(always)]
+fn gather<N: Number>(mesh: &Mesh<'_>, stars: &Stars, local: &mut LocalStars<N>, vertices: &N::Vertices) {
+    match &mesh.positions {
+        Positions::Single(all) => {
+            local.gather(stars, |v| DVec3::from_array(all[v as usize].map(f64::from)), vertices);
+        }
+        Positions::Double(all) => local.gather(stars, |v| all[v as usize], vertices),
     }
 }
 
@@ -290,13 +307,11 @@ fn wider<N: Arithmetic>(token: N::Token, number: N) -> N {
     number * number
 }
 
-/// Cones, star by star.
+/// The cone of one star, from axis, turn, spread and size of several.
 #[inline(always)]
-fn rows<R: AsRef<[f32]>>(rows: [R; 7]) -> [Cone; LANES] {
-    std::array::from_fn(|star| {
-        let [x, y, z, turn, spread, bend, size] = rows.each_ref().map(|row| row.as_ref()[star % row.as_ref().len()]);
-        Cone { axis: [x, y, z], turn, spread, bend, size }
-    })
+fn cone<R: AsRef<[f32]>>([x, y, z, turn, spread, size]: &[R; 6], star: usize) -> Cone {
+    let axis = [x.as_ref()[star], y.as_ref()[star], z.as_ref()[star]];
+    Cone { axis, turn: turn.as_ref()[star], spread: spread.as_ref()[star], size: size.as_ref()[star] }
 }
 
 #[cfg(test)]

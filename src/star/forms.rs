@@ -1,6 +1,6 @@
 //! The modelled values of the triangles of several stars, formula (4), and the potential forms that have them.
 
-use super::form::Proportions;
+use super::form::{ProportionRows, Proportions};
 use super::model::{FEW, Model};
 use super::number::Number;
 use super::sample::Sample;
@@ -24,34 +24,42 @@ impl<N: Number> Forms<N> for Apart<N> {
     }
 }
 
-/// Forms that all samples in an interval share: the same bits, with fewer roots and divisions.
+/// Forms that all samples in an interval share: the same bits, with fewer roots and divisions. Reused from stars to stars.
 pub(super) struct ByInterval<N: Number> {
-    forms: [Proportions<N>; FEW],
+    forms: [ProportionRows<N>; FEW],
     /// Up to the last interval that holds a sample.
     count: usize,
 }
 
+impl<N: Number> Default for ByInterval<N> {
+    fn default() -> Self {
+        Self { forms: [ProportionRows::default(); FEW], count: 0 }
+    }
+}
+
 impl<N: Number> ByInterval<N> {
-    /// For samples that a model that [`suits`](Model::suits) them has ranked.
+    /// Finds the forms for samples that `model` [`suits`](Model::suits).
     #[inline(always)]
-    pub fn new(token: N::Token, model: &Model, samples: &[Sample<N>], valences: N, deviation: N) -> Self {
-        let mut ranks = [N::Row::default(); FEW];
-        let count = model.rank_intervals(token, samples, valences, &mut ranks);
-        let mut forms = Self { forms: [proportions(token, &ranks[0], deviation); FEW], count };
-        for (form, rank) in forms.forms[1..count].iter_mut().zip(&ranks[1..count]) {
-            *form = proportions(token, rank, deviation);
+    pub fn find(&mut self, token: N::Token, model: &Model, samples: &[Sample<N>], valences: N, deviation: N) {
+        self.count = 0;
+        for form in &mut self.forms {
+            self.count += 1;
+            let (rank, is_last) = model.rank_interval(token, samples, valences, self.count);
+            proportions(token, &rank, deviation).store(form);
+            if is_last {
+                break;
+            }
         }
-        forms
     }
 }
 
 impl<N: Number> Forms<N> for ByInterval<N> {
     #[inline(always)]
     fn of(&self, token: N::Token, sample: &Sample<N>) -> Proportions<N> {
-        let (interval, mut form) = (N::load(token, &sample.interval), self.forms[0]);
+        let (interval, mut form) = (N::load(token, &sample.interval), Proportions::load(token, &self.forms[0]));
         let (one, mut number) = (N::splat(token, 1.0), N::splat(token, 1.0));
         for other in &self.forms[1..self.count] {
-            form = Proportions::choose(number.below(interval), *other, form);
+            form = Proportions::choose(number.below(interval), Proportions::load(token, other), form);
             number = number + one;
         }
         form

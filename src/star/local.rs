@@ -136,22 +136,14 @@ impl<N: Number> LocalStars<N> {
         self.center(token);
     }
 
-    /// The same without the numbers of the rim vertices and where they were in the original mesh: what is asked of them means
-    /// nothing.
+    /// Makes what was gathered of `vertices` relative to them; `origin` tells where they were in the original mesh. Numbers of rim
+    /// vertices, and where those were, mean nothing.
     #[inline(always)]
-    pub fn take_places(
-        &mut self,
-        token: N::Token,
-        stars: &Stars,
-        place: impl Fn(u32) -> DVec3,
-        origin: impl Fn(u32) -> DVec3,
-        vertices: &N::Vertices,
-    ) {
+    pub fn relate(&mut self, token: N::Token, origin: impl Fn(u32) -> DVec3, vertices: &N::Vertices) {
         self.numbers = *vertices;
         for star in 0..N::STARS {
             set_vector(&mut self.origins, star, origin(vertices.as_ref()[star]));
         }
-        self.gather(stars, place, vertices);
         self.center(token);
     }
 
@@ -191,15 +183,20 @@ impl<N: Number> LocalStars<N> {
     /// other; behind the end of a rim its last vertex is repeated.
     #[inline(always)]
     fn note_rims(&mut self, stars: &Stars, vertices: &N::Vertices) {
-        let (mut ends, mut longest) = ([0; MOST], 0);
+        let mut ends = [0; MOST];
         for (star, (rim, end)) in self.rims.iter_mut().zip(&mut ends).enumerate().take(N::STARS) {
-            *end = stars.copy_rim_of_disc(vertices.as_ref()[star], rim) - 1;
-            self.valences.as_mut()[star] = f64::from(*end as u32);
-            longest = longest.max(*end);
+            *end = stars.copy_rim_of_disc(vertices.as_ref()[star], rim) as i32 - 1;
         }
-        self.longest = longest;
+        for (valence, end) in self.valences.as_mut().iter_mut().zip(ends) {
+            *valence = f64::from(end);
+        }
+        let (shortest, longest) = ends.iter().fold((i32::MAX, 0), |(s, l), &end| (s.min(end), l.max(end)));
+        self.longest = longest as usize;
+        if shortest == longest {
+            return;
+        }
         for (rim, end) in self.rims.iter_mut().zip(ends) {
-            for k in end..longest.min(ROW - 1) {
+            for k in end as usize..self.longest.min(ROW - 1) {
                 rim[k + 1] = rim[k];
             }
         }

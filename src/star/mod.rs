@@ -54,7 +54,7 @@ mod tests {
     }
 
     fn site(mesh: &Mesh<'_>, vertex: u32) -> Site {
-        let place = mesh.positions[vertex as usize];
+        let place = mesh.position(vertex);
         Site { vertex, place, origin: place }
     }
 

@@ -6,13 +6,13 @@ use super::sample::Sample;
 use crate::options::Options;
 
 /// Largest star whose logarithms are tabulated, and whose ranks are counted one by one.
-const TABLE: usize = 32;
+const TABLE: usize = ROW - 1;
 
 /// Intervals for which it is faster to rank intervals than samples, at most.
 pub(super) const FEW: usize = 8;
 
-/// Entries of a row of the table: a power of two, so that a number cut down to its last bits is in range.
-const ROW: usize = 64;
+/// Entries of a row of the table, and rows: a power of two, so that a number cut down to its last bits is in range.
+const ROW: usize = 32;
 
 /// What a whole number is counted from, so that its last bits are the number itself.
 const WHOLE: f64 = (1_u64 << (f64::MANTISSA_DIGITS - 1)) as f64;
@@ -24,18 +24,18 @@ pub(crate) struct Model {
     sample_limit: f64,
     /// Number of the interval that holds the largest sample.
     intervals: f64,
-    /// Entry \[n\]\[c\] is √(−2 ln(1 − c / (n + 1))): F takes no other values. Only the first n + 1 have a meaning.
-    roots: Vec<[f64; ROW]>,
+    /// Entry n · [`ROW`] + c is √(−2 ln(1 − c / (n + 1))): F takes no other values. Only the first n + 1 of a row have a meaning.
+    roots: Box<[f64; ROW * ROW]>,
 }
 
 impl Model {
     pub fn new(options: &Options) -> Self {
-        let row = |n: usize| std::array::from_fn(|c| if c <= n { root_term(c, n) } else { 0.0 });
+        let root = |[n, c]: [usize; 2]| if c <= n { root_term(c, n) } else { 0.0 };
         let mut model = Self {
             per_interval: 1.0 / options.interval_width,
             sample_limit: options.sample_limit,
             intervals: 0.0,
-            roots: (0..=TABLE).map(row).collect(),
+            roots: Box::new(std::array::from_fn(|entry| root([entry / ROW, entry % ROW]))),
         };
         model.intervals = model.interval((), model.sample_limit, true);
         model
@@ -81,52 +81,51 @@ impl Model {
         if samples.len() > TABLE {
             return rank_by_sorting(samples, &valences.row());
         }
-        let one = N::splat(token, 1.0);
+        let (one, none) = (N::splat(token, 1.0), none(token, valences));
         for own in 0..samples.len() {
-            let (interval, mut count) = (N::load(token, &samples[own].interval), N::splat(token, WHOLE));
+            let (interval, mut count) = (N::load(token, &samples[own].interval), none);
             for other in samples.iter() {
                 count = count + one.only(token, N::load(token, &other.interval).at_most(interval));
             }
             count.store(&mut samples[own].rank);
         }
         for sample in samples {
-            self.look_up(&mut sample.rank, &valences.row());
+            self.look_up(&mut sample.rank);
         }
     }
 
-    /// Ranks the intervals, from the first to the last that holds a sample of any star. Returns how many.
+    /// Ranks interval number `number`. Returns also whether none of the samples is in a later one.
     #[inline(always)]
-    pub fn rank_intervals<N: Number>(
+    pub fn rank_interval<N: Number>(
         &self,
         token: N::Token,
         samples: &[Sample<N>],
         valences: N,
-        ranks: &mut [N::Row; FEW],
-    ) -> usize {
-        let (one, none) = (N::splat(token, 1.0), N::splat(token, WHOLE));
-        let mut ranked = 0;
-        for rank in ranks {
-            let (mut count, number) = (none, N::splat(token, ranked as f64 + 1.0));
-            for sample in samples {
-                count = count + one.only(token, N::load(token, &sample.interval).at_most(number));
-            }
-            count.store(rank);
-            self.look_up(rank, &valences.row());
-            ranked += 1;
-            if !N::any(count.below(none + valences)) {
-                break;
-            }
+        number: usize,
+    ) -> (N::Row, bool) {
+        let (one, none, number) = (N::splat(token, 1.0), none(token, valences), N::splat(token, number as f64));
+        let mut count = none;
+        for sample in samples {
+            count = count + one.only(token, N::load(token, &sample.interval).at_most(number));
         }
-        ranked
+        let (mut rank, is_last) = (count.row(), !N::any(count.below(none + valences)));
+        self.look_up(&mut rank);
+        (rank, is_last)
     }
 
     /// Replaces counts by what they mean.
     #[inline(always)]
-    fn look_up<R: AsRef<[f64]> + AsMut<[f64]>>(&self, counts: &mut R, valences: &R) {
-        for (count, &valence) in counts.as_mut().iter_mut().zip(valences.as_ref()) {
-            *count = self.roots[valence as usize][count.to_bits() as usize % ROW];
+    fn look_up<R: AsMut<[f64]>>(&self, counts: &mut R) {
+        for count in counts.as_mut() {
+            *count = self.roots[count.to_bits() as usize % self.roots.len()];
         }
     }
+}
+
+/// What samples are counted from, so that the last bits of a count say where in the table the stars' rows have what it means.
+#[inline(always)]
+fn none<N: Number>(token: N::Token, valences: N) -> N {
+    N::splat(token, WHOLE) + valences * N::splat(token, ROW as f64)
 }
 
 /// The same for stars of any size.

@@ -54,6 +54,7 @@ impl Kind {
 pub(crate) struct Draft<N: Number> {
     /// As many triangles as the largest star so far has had.
     samples: Vec<Sample<N>>,
+    forms: ByInterval<N>,
     /// For what is done star by star.
     alone: LocalStar,
     fan: Fan,
@@ -61,7 +62,7 @@ pub(crate) struct Draft<N: Number> {
 
 impl<N: Number> Default for Draft<N> {
     fn default() -> Self {
-        Self { samples: Vec::new(), alone: LocalStar::default(), fan: Fan::default() }
+        Self { samples: Vec::new(), forms: ByInterval::default(), alone: LocalStar::default(), fan: Fan::default() }
     }
 }
 
@@ -130,7 +131,7 @@ impl Operation {
     ) -> (Vectors<N>, N::Truth) {
         let (planes, exist) = self.planes(token, stars, areas);
         if matches!(self.kind, Kind::EdgeRatio) {
-            return (self.mean_centers(token, stars, &planes, &mut draft.samples), exist);
+            return (self.mean_centers(token, stars, &planes, draft), exist);
         }
         let mut rows = [N::Row::default(); 3];
         for star in 0..N::STARS {
@@ -159,7 +160,7 @@ impl Operation {
         token: N::Token,
         stars: &LocalStars<N>,
         planes: &[TangentPlanes<N>; 2],
-        samples: &mut Vec<Sample<N>>,
+        Draft { samples, forms, .. }: &mut Draft<N>,
     ) -> Vectors<N> {
         let valences = stars.valences(token);
         if samples.len() < stars.longest() {
@@ -172,8 +173,8 @@ impl Operation {
             Ideal::Equilateral => N::splat(token, 0.0),
         };
         if self.model.suits(samples.len()) {
-            let forms = ByInterval::new(token, &self.model, samples, valences, deviation);
-            return mean_center(token, stars, planes, samples, &forms);
+            forms.find(token, &self.model, samples, valences, deviation);
+            return mean_center(token, stars, planes, samples, forms);
         }
         self.model.rank(token, samples, valences);
         mean_center(token, stars, planes, samples, &Apart { deviation })

@@ -94,7 +94,7 @@ struct Spoke {
 
 fn original_size(mesh: &Mesh<'_>, stars: &Stars, v: u32) -> f64 {
     let rim = stars.rim(v);
-    let at = |r: u32| mesh.positions[r as usize] - mesh.positions[v as usize];
+    let at = |r: u32| mesh.position(r) - mesh.position(v);
     let double_areas = rim.windows(2).map(|edge| at(edge[0]).cross(at(edge[1])).length());
     let triangles = rim.len().saturating_sub(1).max(1);
     (0.5 * double_areas.sum::<f64>() / triangles as f64).sqrt()

@@ -106,9 +106,10 @@ impl Sweeps<'_> {
 impl Surroundings<'_> {
     /// The cones of a task, if they are to be looked for.
     fn cones_of(&self, task: Task<'_>) -> Result<Option<Cones>, Error> {
+        let Some(finder) = self.cone_finder else { return Ok(None) };
         let (first, last) = (task.vertices.iter().min(), task.vertices.iter().max());
         let vertices = first.map_or(0, |&v| v as usize)..last.map_or(0, |&v| v as usize + 1);
-        self.cone_finder.map(|finder| finder.some(self.mesh, self.stars, vertices)).transpose()
+        finder.some(self.mesh, self.stars, vertices).map(Some)
     }
 }
 
@@ -124,10 +125,9 @@ fn batch(tasks: &[Task<'_>]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::super::schedule::LARGE;
     use super::*;
+    use crate::mesh::Positions;
     use crate::options::{Constraints, Options};
     use crate::preparation::Preparation;
     use crate::star::ConeFinder;
@@ -146,7 +146,7 @@ mod tests {
         (positions, triangles)
     }
 
-    fn swept(around: &Surroundings<'_>, threads: u32) -> Vec<DVec3> {
+    fn swept(around: &Surroundings<'_>, threads: u32) -> Positions {
         Threads::with(threads, around.stars.len(), |threads| {
             let places = Places::new(&around.mesh.positions, threads).expect("memory");
             let outcomes = Outcomes::new(around.stars.len(), threads).expect("memory");

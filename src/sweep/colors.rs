@@ -27,18 +27,20 @@ impl Mark {
 
     /// It is inside its part, and gets the first colour there that is not among those `taken`.
     pub fn inside(taken: impl Iterator<Item = Self>) -> Self {
-        Self(Self::first_left(taken))
+        Self(Self::first_left(taken, |_| true))
     }
 
     /// The same for one that has neighbours in another part.
     fn between(taken: impl Iterator<Item = Self>) -> Self {
-        let between = |mark: &Self| mark.0 / Self::BETWEEN == 1;
-        Self(Self::BETWEEN + Self::first_left(taken.filter(between)))
+        let is_between = |mark: Self| mark.0 / Self::BETWEEN == 1;
+        Self(Self::BETWEEN + Self::first_left(taken, is_between))
     }
 
-    fn first_left(taken: impl Iterator<Item = Self>) -> u8 {
-        // The last bit is no colour's, and may be set or not.
-        let taken = taken.fold(0_u64, |taken, mark| taken | 1 << (mark.0 % Self::BETWEEN));
+    /// The first colour that none of those marks has that count.
+    fn first_left(taken: impl Iterator<Item = Self>, counts: impl Fn(Self) -> bool) -> u8 {
+        // The last bit is no colour's, and may be set or not. Which marks count is not foreseeable, so there is no branch.
+        let bit = |mark: Self| u64::from(counts(mark)) << (mark.0 % Self::BETWEEN);
+        let taken = taken.fold(0, |taken, mark| taken | bit(mark));
         (taken.trailing_ones() as u8).min(Self::NO_COLOR)
     }
 

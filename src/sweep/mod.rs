@@ -20,9 +20,8 @@ mod turns;
 mod visit;
 mod wave_order;
 
-use glam::DVec3;
-
 use crate::error::Error;
+use crate::mesh::Positions;
 use crate::options::{Constraints, Options, Order};
 use crate::progress::Progress;
 use crate::threads::Threads;
@@ -41,7 +40,7 @@ pub(crate) fn run(
     constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
-) -> Result<(Vec<DVec3>, Tally), Error> {
+) -> Result<(Positions, Tally), Error> {
     let places = Places::new(&around.mesh.positions, threads)?;
     let iterations = options.iterations;
     let tally = match options.order {

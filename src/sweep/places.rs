@@ -1,50 +1,98 @@
 //! The positions that sweeps work on: read by every thread, written only for vertices whose neighbours nobody writes.
 
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering::Relaxed};
 
 use glam::DVec3;
 
 use crate::error::Error;
+use crate::mesh::{Positions, Stars};
+use crate::star::{LocalStars, Number};
 use crate::threads::Threads;
 
-/// Where the vertices are. Plain loads and stores on every machine of today, and no data race whatever the order of the
-/// visits; that no visit sees a half-written position is up to that order.
-pub(crate) struct Places(Vec<[AtomicU64; 3]>);
+/// Where the vertices are, in the precision of the caller's buffer. Plain loads and stores on every machine of today, and no data
+/// race whatever the order of the visits; that no visit sees a half-written position is up to that order.
+pub(crate) enum Places {
+    Single(Vec<[AtomicU32; 3]>),
+    Double(Vec<[AtomicU64; 3]>),
+}
 
 impl Places {
     /// A copy of `positions`.
-    pub fn new(positions: &[DVec3], threads: &Threads<'_>) -> Result<Self, Error> {
-        let at = |v: usize| positions[v].to_array().map(|x| AtomicU64::new(x.to_bits()));
-        Ok(Self(threads.collect(positions.len(), at)?))
+    pub fn new(positions: &Positions, threads: &Threads<'_>) -> Result<Self, Error> {
+        Ok(match positions {
+            Positions::Single(all) => {
+                Self::Single(threads.collect(all.len(), |v| all[v].map(|x| AtomicU32::new(x.to_bits())))?)
+            }
+            Positions::Double(all) => {
+                Self::Double(threads.collect(all.len(), |v| all[v].to_array().map(|x| AtomicU64::new(x.to_bits())))?)
+            }
+        })
     }
 
     /// Position of vertex `v`.
     #[inline(always)]
     pub fn get(&self, v: u32) -> DVec3 {
-        self.reader()(v)
-    }
-
-    /// Tells where a vertex is, without another look at where all places lie.
-    #[inline(always)]
-    pub fn reader(&self) -> impl Fn(u32) -> DVec3 {
-        let places = &self.0[..];
-        move |v| {
-            let [x, y, z] = &places[v as usize];
-            let load = |x: &AtomicU64| f64::from_bits(x.load(Relaxed));
-            DVec3::new(load(x), load(y), load(z))
+        match self {
+            Self::Single(places) => single(&places[v as usize]),
+            Self::Double(places) => double(&places[v as usize]),
         }
     }
 
-    /// Moves vertex `v`.
+    /// Looks up where the vertices of stars are: nothing is relative to the centres yet.
+    #[inline(always)]
+    pub fn gather<N: Number>(&self, stars: &Stars, local: &mut LocalStars<N>, vertices: &N::Vertices) {
+        match self {
+            Self::Single(places) => {
+                let places = &places[..];
+                local.gather(stars, |v| single(&places[v as usize]), vertices);
+            }
+            Self::Double(places) => {
+                let places = &places[..];
+                local.gather(stars, |v| double(&places[v as usize]), vertices);
+            }
+        }
+    }
+
+    /// Moves vertex `v`. In single precision the position has to be one of that.
     #[inline(always)]
     pub fn set(&self, v: u32, position: DVec3) {
-        for (place, x) in self.0[v as usize].iter().zip(position.to_array()) {
-            place.store(x.to_bits(), Relaxed);
+        match self {
+            Self::Single(places) => {
+                for (place, x) in places[v as usize].iter().zip(position.to_array()) {
+                    place.store((x as f32).to_bits(), Relaxed);
+                }
+            }
+            Self::Double(places) => {
+                for (place, x) in places[v as usize].iter().zip(position.to_array()) {
+                    place.store(x.to_bits(), Relaxed);
+                }
+            }
         }
     }
 
     /// All positions, in the same memory.
-    pub fn into_positions(self) -> Vec<DVec3> {
-        self.0.into_iter().map(|p| DVec3::from_array(p.map(|x| f64::from_bits(x.into_inner())))).collect()
+    pub fn into_positions(self) -> Positions {
+        match self {
+            Self::Single(places) => {
+                let position = |place: [AtomicU32; 3]| place.map(|x| f32::from_bits(x.into_inner()));
+                Positions::Single(places.into_iter().map(position).collect())
+            }
+            Self::Double(places) => {
+                let position = |place: [AtomicU64; 3]| place.map(|x| f64::from_bits(x.into_inner()));
+                Positions::Double(places.into_iter().map(|place| DVec3::from_array(position(place))).collect())
+            }
+        }
     }
+}
+
+#[inline(always)]
+fn single([x, y, z]: &[AtomicU32; 3]) -> DVec3 {
+    let load = |x: &AtomicU32| f64::from(f32::from_bits(x.load(Relaxed)));
+    DVec3::new(load(x), load(y), load(z))
+}
+
+#[inline(always)]
+fn double([x, y, z]: &[AtomicU64; 3]) -> DVec3 {
+    let load = |x: &AtomicU64| f64::from_bits(x.load(Relaxed));
+    DVec3::new(load(x), load(y), load(z))
 }

@@ -76,8 +76,7 @@ impl Surroundings<'_> {
     /// Where a vertex is.
     #[inline(always)]
     pub(super) fn site(&self, places: &Places) -> impl Fn(u32) -> Site {
-        let (place, origins) = (places.reader(), &self.mesh.positions[..]);
-        move |vertex| Site { vertex, place: place(vertex), origin: origins[vertex as usize] }
+        |vertex| Site { vertex, place: places.get(vertex), origin: self.mesh.position(vertex) }
     }
 
     /// What the guard is to look at.

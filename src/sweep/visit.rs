@@ -151,9 +151,9 @@ impl<N: Number> Visit<N> {
         places: &Places,
         outcomes: &Outcomes,
     ) -> (Vectors<N>, u64) {
-        let origins = &around.mesh.positions[..];
         let known = Known::of(cones, |v| around.leash(v), vertices.as_ref());
-        self.stars.take_places(token, around.stars, places.reader(), |v| origins[v as usize], vertices);
+        places.gather(around.stars, &mut self.stars, vertices);
+        self.stars.relate(token, |v| around.mesh.position(v), vertices);
         let scene = &around.scene(token, &self.stars, vertices);
         let (step, exist) = around.wish(token, scene, &mut self.draft);
         let end = End { around, scene, places, outcomes, tally: Tally::default() };

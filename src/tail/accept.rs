@@ -135,7 +135,7 @@ impl Judge<'_> {
 
     /// Greatest distance of a removed vertex from the triangles of `shape`.
     pub fn lost_height(&self, shape: &Shape) -> f64 {
-        let lost = self.lost(shape).map(|v| self.around.mesh.positions[self.patch.vertices[v] as usize]);
+        let lost = self.lost(shape).map(|v| self.around.mesh.position(self.patch.vertices[v]));
         lost.map(|p| distance(p, shape)).fold(0.0, f64::max)
     }
 
@@ -208,7 +208,8 @@ mod tests {
             Preparation::new(positions.as_slice(), &triangles, &options, &Constraints::default(), &Threads::ONE)
                 .expect("valid");
         let around = prepared.surroundings(&options);
-        let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
+        let live = Live::new(&prepared.mesh, prepared.mesh.positions.doubled().expect("enough memory"))
+            .expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
         let mut shape = patch.shape.clone();
         change(&mut shape);
@@ -256,7 +257,8 @@ mod tests {
         )
         .expect("valid");
         let around = prepared.surroundings(&Options::default());
-        let live = Live::new(&prepared.mesh, prepared.mesh.positions.clone()).expect("enough memory");
+        let live = Live::new(&prepared.mesh, prepared.mesh.positions.doubled().expect("enough memory"))
+            .expect("enough memory");
         let patch = Patch::of_stars(&live, &around, &[0]);
         let limits = Limits::new(&TailOptions::default());
         let judge = Judge { around: &around, live: &live, patch: &patch, limits: &limits };

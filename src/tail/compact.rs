@@ -78,7 +78,7 @@ mod tests {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
         let triangles = [[0, 1, 2], [2, 1, 3], [1, 4, 3]];
         let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
-        let mut live = Live::new(&mesh, mesh.positions.clone()).expect("enough memory");
+        let mut live = Live::new(&mesh, mesh.positions.doubled().expect("enough memory")).expect("enough memory");
         // The edge 1–2 is collapsed into 2, which leaves 2–4–3 of the last triangle.
         [0, 1, 2].into_iter().for_each(|slot| live.take_out(slot));
         live.put_in(1, [2, 4, 3], Origin { triangle: 2, corners: [3, 7, 8] });
@@ -98,7 +98,7 @@ mod tests {
     fn what_was_put_back_counts_as_unchanged() {
         let triangles = [[0, 1, 2], [2, 1, 3]];
         let mesh = Mesh::new([[0.0; 3]; 4].as_slice(), &triangles, &Threads::ONE).expect("a mesh");
-        let mut live = Live::new(&mesh, mesh.positions.clone()).expect("enough memory");
+        let mut live = Live::new(&mesh, mesh.positions.doubled().expect("enough memory")).expect("enough memory");
         assert_eq!(live.unchanged_count(), 2);
         [0, 1].into_iter().for_each(|slot| live.take_out(slot));
         assert_eq!(live.unchanged_count(), 0);

@@ -202,7 +202,7 @@ impl<'a> Relaxer<'a> {
         let mesh = self.around.mesh;
         let site = |&r: &usize| {
             let vertex = patch.vertices[r];
-            Site { vertex, place: shape.positions[r], origin: mesh.positions[vertex as usize] }
+            Site { vertex, place: shape.positions[r], origin: mesh.position(vertex) }
         };
         let sites: Vec<_> = ring.iter().map(site).collect();
         self.star.take_ring(site(&v), &sites, split);

@@ -16,6 +16,7 @@ use super::report::TailReport;
 use super::sources::Sources;
 use super::treat::Surgeon;
 use crate::error::Error;
+use crate::mesh::Positions;
 use crate::progress::Progress;
 use crate::sweep::Surroundings;
 
@@ -25,7 +26,7 @@ const FLIPS: f64 = 0.5;
 /// What the stage leaves.
 pub(crate) struct Outcome {
     /// Positions of all input vertices, in the mesh's units.
-    pub positions: Vec<DVec3>,
+    pub positions: Positions,
     /// Output triangles, by output vertices.
     pub triangles: Vec<[u32; 3]>,
     pub sources: Sources,
@@ -70,5 +71,5 @@ pub(crate) fn run(
     let lost_height = queue.lost_height;
     let Compact { positions, triangles, sources } = Compact::new(live, &gone)?;
     report.seconds = clock.elapsed().as_secs_f64();
-    Ok(Outcome { positions, triangles, sources, report, lost_height })
+    Ok(Outcome { positions: Positions::Double(positions), triangles, sources, report, lost_height })
 }

@@ -60,7 +60,7 @@ mod tests {
             Preparation::new(CORNERS.as_slice(), triangles, &options, &Constraints::default(), &Threads::ONE)
                 .expect("valid");
         let mesh: &Mesh<'_> = &prepared.mesh;
-        let live = Live::new(mesh, mesh.positions.clone()).expect("enough memory");
+        let live = Live::new(mesh, mesh.positions.doubled().expect("enough memory")).expect("enough memory");
         let patch = Patch::of_stars(&live, &prepared.surroundings(&options), &[0, 1, 2, 3]);
         let shape = Cavity { pieces, rim: Vec::new() }.filled(&patch.shape, filling);
         is_broken(&live, &patch, &shape)

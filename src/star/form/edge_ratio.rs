@@ -56,7 +56,33 @@ pub(in crate::star) struct Proportions<N> {
     height: N,
 }
 
+/// The same in memory.
+#[derive(Clone, Copy)]
+pub(in crate::star) struct ProportionRows<N: Number> {
+    foot: N::Row,
+    height: N::Row,
+}
+
+impl<N: Number> Default for ProportionRows<N> {
+    fn default() -> Self {
+        Self { foot: N::Row::default(), height: N::Row::default() }
+    }
+}
+
 impl<N: Number> Proportions<N> {
+    /// From memory.
+    #[inline(always)]
+    pub fn load(token: N::Token, rows: &ProportionRows<N>) -> Self {
+        Self { foot: N::load(token, &rows.foot), height: N::load(token, &rows.height) }
+    }
+
+    /// Into memory.
+    #[inline(always)]
+    pub fn store(self, rows: &mut ProportionRows<N>) {
+        self.foot.store(&mut rows.foot);
+        self.height.store(&mut rows.height);
+    }
+
     /// For the modelled values `ideal` ≥ 1.
     ///
     /// Up to √2 the form is isosceles with both sides of length |ab| / ideal. Beyond, the apex is the right-angled point

@@ -10,7 +10,7 @@ mod max_angle;
 mod min_angle;
 mod shape;
 
-pub(super) use edge_ratio::{Flat, Proportions};
+pub(super) use edge_ratio::{Flat, ProportionRows, Proportions};
 
 /// Place of an apex over its rim edge, in units of the edge's length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

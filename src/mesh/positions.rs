@@ -1,0 +1,62 @@
+//! Positions in the caller's own precision: single precision takes half the memory, and memory is what a large mesh waits for.
+
+use glam::DVec3;
+
+use crate::error::Error;
+use crate::memory;
+use crate::threads::Threads;
+
+/// Where vertices are, exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Positions {
+    Single(Vec<[f32; 3]>),
+    Double(Vec<DVec3>),
+}
+
+impl Positions {
+    /// What `position` says of each of `count` vertices; each coordinate is known to be one of single precision if `single` says so.
+    pub fn new(
+        single: bool,
+        count: usize,
+        position: impl Fn(usize) -> DVec3 + Sync,
+        threads: &Threads<'_>,
+    ) -> Result<Self, Error> {
+        Ok(if single {
+            Self::Single(threads.collect(count, |v| position(v).to_array().map(|x| x as f32))?)
+        } else {
+            Self::Double(threads.collect(count, position)?)
+        })
+    }
+
+    /// How many vertices there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Single(all) => all.len(),
+            Self::Double(all) => all.len(),
+        }
+    }
+
+    /// Position of vertex `v`.
+    #[inline(always)]
+    pub fn at(&self, v: usize) -> DVec3 {
+        match self {
+            Self::Single(all) => DVec3::from_array(all[v].map(f64::from)),
+            Self::Double(all) => all[v],
+        }
+    }
+
+    /// A copy of all, in double precision.
+    pub fn doubled(&self) -> Result<Vec<DVec3>, Error> {
+        let mut all = memory::reserved(self.len())?;
+        all.extend((0..self.len()).map(|v| self.at(v)));
+        Ok(all)
+    }
+
+    /// All in double precision; a copy only where they have not been.
+    pub fn into_doubles(self) -> Result<Vec<DVec3>, Error> {
+        match self {
+            Self::Double(all) => Ok(all),
+            single @ Self::Single(_) => single.doubled(),
+        }
+    }
+}
