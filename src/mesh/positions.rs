@@ -60,3 +60,37 @@ impl Positions {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+
+    /// The positions of a mesh of one triangle in single precision.
+    fn positions(corners: [[f32; 3]; 3]) -> Positions {
+        Mesh::new(corners.as_slice(), &[[0, 1, 2]], &Threads::ONE).expect("a mesh").positions
+    }
+
+    #[test]
+    fn single_precision_stays_what_it_is() {
+        let corners = [[0.1, 0.0, -0.0], [1.0e-40, 3.0, 1.0], [-7.7, 1.0, 0.3]];
+        let (found, doubled) = (positions(corners), corners.map(|p| DVec3::from_array(p.map(f64::from))));
+        assert!(matches!(found, Positions::Single(_)));
+        assert_eq!([0, 1, 2].map(|v| found.at(v)), doubled);
+        assert_eq!(found.into_doubles().expect("memory"), doubled);
+    }
+
+    #[test]
+    fn what_has_to_be_scaled_needs_double_precision() {
+        // Divided by the unit, the least coordinate would be none of single precision any more.
+        let found = positions([[1.0e30, 0.0, 0.0], [0.0, 1.0e-10, 0.0], [0.0, 0.0, 1.0]]);
+        assert!(matches!(found, Positions::Double(_)) && found.at(1).y > 0.0);
+    }
+
+    #[test]
+    fn double_precision_is_kept() {
+        let corners = [[0.1_f64; 3]; 3];
+        let mesh = Mesh::new(corners.as_slice(), &[[0, 1, 2]], &Threads::ONE).expect("a mesh");
+        assert_eq!(mesh.positions, Positions::Double(corners.map(DVec3::from_array).to_vec()));
+    }
+}

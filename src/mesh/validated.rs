@@ -1,4 +1,4 @@
-//! The validated mesh: every index in range, every coordinate finite, everything in `f64`.
+//! The validated mesh: every index in range, every coordinate finite.
 
 use std::ops::Range;
 
