@@ -46,7 +46,7 @@ impl Flat {
 }
 
 // The parts of a mesh begin with a new word.
-const _: () = assert!(PART % 64 == 0);
+const _: () = assert!(PART.is_multiple_of(64));
 
 /// The bits of some vertices.
 fn words(cones: &Cones, vertices: Range<usize>, sharp: f64) -> Vec<u64> {
