@@ -88,3 +88,33 @@ impl SlotSet {
         self.edges
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::threads::Threads;
+
+    #[test]
+    fn a_vertex_without_an_edge_in_the_set_is_told_from_one_with_some() {
+        // Rows of hexagons' corners, and one fan that is longer than a word.
+        const COLUMNS: u32 = 12;
+        let halves = |a: u32| [[a, a + 1, a + COLUMNS + 1], [a, a + COLUMNS + 1, a + COLUMNS]];
+        let squares = (0..COLUMNS * (COLUMNS - 1)).filter(|a| a % COLUMNS < COLUMNS - 1);
+        let (hub, count) = (COLUMNS * COLUMNS, 100);
+        let fan = (0..count).map(|i| [hub, hub + 1 + i, hub + 1 + (i + 1) % count]);
+        let triangles: Vec<_> = squares.flat_map(halves).chain(fan).collect();
+        let positions = vec![[0.0_f64; 3]; (hub + 1 + count) as usize];
+        let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
+        let stars = Stars::new(&mesh, &Threads::ONE).expect("stars");
+        let mut set = SlotSet::new(&stars).expect("memory");
+        assert!((0..stars.len() as u32).all(|v| set.has_none_of(&stars, v)));
+        for v in (0..hub).step_by(5) {
+            set.insert_edge(&stars, v, v + COLUMNS + 1);
+        }
+        set.insert_edge(&stars, hub, hub + count);
+        let has_none = |v: u32| set.of(&stars, v).next().is_none();
+        assert!((0..stars.len() as u32).all(|v| set.has_none_of(&stars, v) == has_none(v)));
+        assert!(has_none(1) && !has_none(hub) && !has_none(2 * COLUMNS + 6));
+    }
+}
