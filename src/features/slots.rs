@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn a_vertex_without_an_edge_in_the_set_is_told_from_one_with_some() {
-        // Rows of hexagons' corners, and one fan that is longer than a word.
+        // A grid of triangles, and a fan that is longer than a word.
         const COLUMNS: u32 = 12;
         let halves = |a: u32| [[a, a + 1, a + COLUMNS + 1], [a, a + COLUMNS + 1, a + COLUMNS]];
         let squares = (0..COLUMNS * (COLUMNS - 1)).filter(|a| a % COLUMNS < COLUMNS - 1);

@@ -8,7 +8,7 @@ mod validated;
 mod vertices;
 
 pub use coordinate::Coordinate;
-pub(crate) use positions::Positions;
+pub(crate) use positions::{Positions, widened};
 pub(crate) use stars::{StarKind, Stars};
 pub(crate) use validated::{Mesh, repeats_a_vertex};
 pub(crate) use vertices::Vertices;

@@ -40,7 +40,7 @@ impl Positions {
     #[inline(always)]
     pub fn at(&self, v: usize) -> DVec3 {
         match self {
-            Self::Single(all) => DVec3::from_array(all[v].map(f64::from)),
+            Self::Single(all) => widened(all[v]),
             Self::Double(all) => all[v],
         }
     }
@@ -59,6 +59,12 @@ impl Positions {
             single @ Self::Single(_) => single.doubled(),
         }
     }
+}
+
+/// A position of single precision in double precision.
+#[inline(always)]
+pub(crate) fn widened(position: [f32; 3]) -> DVec3 {
+    DVec3::from_array(position.map(f64::from))
 }
 
 #[cfg(test)]
@@ -82,9 +88,12 @@ mod tests {
 
     #[test]
     fn what_has_to_be_scaled_needs_double_precision() {
-        // Divided by the unit, the least coordinate would be none of single precision any more.
-        let found = positions([[1.0e30, 0.0, 0.0], [0.0, 1.0e-10, 0.0], [0.0, 0.0, 1.0]]);
-        assert!(matches!(found, Positions::Double(_)) && found.at(1).y > 0.0);
+        // Divided by the unit, the least coordinate is too small for all its digits in single precision.
+        let corners: [[f32; 3]; 3] = [[1.0e30, 0.0, 0.0], [0.0, 1.0e-10, 0.0], [0.0, 0.0, 1.0]];
+        let mesh = Mesh::new(corners.as_slice(), &[[0, 1, 2]], &Threads::ONE).expect("a mesh");
+        assert!(matches!(mesh.positions, Positions::Double(_)));
+        let (least, stored) = (mesh.position(1).y, f64::from(corners[1][1]));
+        assert!(least * mesh.unit == stored && f64::from(least as f32) * mesh.unit != stored);
     }
 
     #[test]

@@ -4,7 +4,6 @@
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch, f64x8};
-use glam::DVec3;
 
 use super::company::{Companions, TOGETHER};
 use super::local::{Countdown, LocalStars};
@@ -13,7 +12,7 @@ use super::vectors::Vectors;
 use super::witness::{Arm, CLEAR, LARGEST_TURN, MEANINGLESS, THIN, TINY, Witness};
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::{Mesh, Positions, Stars};
+use crate::mesh::{Mesh, Positions, Stars, widened};
 use crate::threads::{PART, Threads};
 
 /// By how much cones are wider than computed, in cosines and sines: more than what single precision does to the angles of
@@ -285,9 +284,7 @@ impl ConeFinder {
 #[inline(always)]
 fn gather<N: Number>(mesh: &Mesh<'_>, stars: &Stars, local: &mut LocalStars<N>, vertices: &N::Vertices) {
     match &mesh.positions {
-        Positions::Single(all) => {
-            local.gather(stars, |v| DVec3::from_array(all[v as usize].map(f64::from)), vertices);
-        }
+        Positions::Single(all) => local.gather(stars, |v| widened(all[v as usize]), vertices),
         Positions::Double(all) => local.gather(stars, |v| all[v as usize], vertices),
     }
 }

@@ -59,6 +59,7 @@ impl Places {
         match self {
             Self::Single(places) => {
                 for (place, x) in places[v as usize].iter().zip(position.to_array()) {
+                    debug_assert!(f64::from(x as f32) == x, "{x} is none of single precision");
                     place.store((x as f32).to_bits(), Relaxed);
                 }
             }
