@@ -2,6 +2,7 @@
 
 mod coordinate;
 mod positions;
+mod rim_edges;
 mod rings;
 mod stars;
 mod validated;

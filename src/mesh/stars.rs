@@ -6,8 +6,9 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::DVec3;
 
+use super::rim_edges::RimEdges;
 use super::rings;
-use super::validated::{Mesh, repeats_a_vertex};
+use super::validated::Mesh;
 use crate::error::Error;
 use crate::memory;
 use crate::threads::{PART, Threads};
@@ -56,18 +57,18 @@ struct Hub {
 impl Stars {
     /// Builds the stars in linear time (and n log n in the valence of a vertex).
     pub fn new(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
-        let mut offsets = slot_ends(mesh, threads)?;
-        let mut slots = incident_triangles(mesh, &mut offsets, threads)?;
+        // Where edges start is where rings are to stand.
+        let RimEdges { offsets, starts: mut slots, ends } = RimEdges::new(mesh, threads)?;
         let mut kinds = memory::filled(StarKind::Empty, mesh.positions.len())?;
-        let mut parts = Vec::new();
-        let mut rest = &mut slots[..];
+        let (mut parts, mut rest) = (Vec::new(), &mut slots[..]);
         for (part, kinds) in kinds.chunks_mut(PART).enumerate() {
             let offsets = &offsets[part * PART..=part * PART + kinds.len()];
-            let (own, others) = rest.split_at_mut((offsets[kinds.len()] - offsets[0]) as usize);
-            parts.push(Part { first: (part * PART) as u32, offsets, slots: own, kinds });
+            let [start, end] = [offsets[0], offsets[kinds.len()]].map(|slot| slot as usize);
+            let (slots, others) = rest.split_at_mut(end - start);
+            parts.push(Part { offsets, slots, ends: &ends[start..end], kinds });
             rest = others;
         }
-        threads.each(parts, |part| dispatch!(Level::new(), simd => part.link(simd, mesh)));
+        threads.each(parts, |part| dispatch!(Level::new(), simd => part.link(simd)));
         let mut stars = Self { offsets, slots, kinds, hubs: BTreeMap::new() };
         stars.find_hubs(mesh);
         Ok(stars)
@@ -238,141 +239,40 @@ impl Stars {
 
 /// The stars of consecutive vertices.
 struct Part<'a> {
-    first: u32,
     /// One more than vertices.
     offsets: &'a [u32],
+    /// Where rim edges start; then the rings.
     slots: &'a mut [u32],
+    /// Where rim edges end.
+    ends: &'a [u32],
     kinds: &'a mut [StarKind],
 }
 
 impl Part<'_> {
-    /// Turns triangle numbers into rings.
+    /// Turns rim edges into rings.
     #[inline(always)]
-    fn link<S: Simd>(self, simd: S, mesh: &Mesh<'_>) {
-        let (triangles, mut rim, mut starts) = (mesh.triangles, Vec::new(), Starts::default());
-        for (v, (kind, ends)) in (self.first..).zip(self.kinds.iter_mut().zip(self.offsets.windows(2))) {
-            let [start, end] = [ends[0], ends[1]].map(|end| (end - self.offsets[0]) as usize);
-            let slots = &mut self.slots[start..];
-            *kind = if rings::close(simd, triangles, slots, v, end - start - 1) {
+    fn link<S: Simd>(self, simd: S) {
+        let (mut rim, mut starts) = (Vec::new(), Starts::default());
+        for (kind, offsets) in self.kinds.iter_mut().zip(self.offsets.windows(2)) {
+            let [start, end] = [offsets[0], offsets[1]].map(|slot| (slot - self.offsets[0]) as usize);
+            let (slots, ends, count) = (&mut self.slots[start..], &self.ends[start..], end - start - 1);
+            *kind = if rings::close(simd, slots, ends, count) {
                 StarKind::Closed
             } else {
-                link_alone(triangles, &mut slots[..end - start], v, &mut rim, &mut starts)
+                link_alone(&mut slots[..=count], &ends[..count], &mut rim, &mut starts)
             };
         }
     }
 }
 
-/// Turns the triangle numbers around `v` into its ring, edge by edge. What is in `rim` and `starts` does not matter.
+/// Turns the rim edges around a vertex, which start in `own` and end in `ends`, into its ring, edge by edge. What is in `rim` and
+/// `starts` does not matter.
 #[inline(never)]
-fn link_alone(
-    triangles: &[[u32; 3]],
-    own: &mut [u32],
-    v: u32,
-    rim: &mut Vec<(u32, u32)>,
-    starts: &mut Starts,
-) -> StarKind {
+fn link_alone(own: &mut [u32], ends: &[u32], rim: &mut Vec<(u32, u32)>, starts: &mut Starts) -> StarKind {
     rim.clear();
-    rim.extend(own[..own.len() - 1].iter().enumerate().map(|(i, &t)| {
-        let edge = rim_edge(&triangles[t as usize], v);
-        starts.note(edge.0, i);
-        edge
-    }));
+    rim.extend(own.iter().copied().zip(ends.iter().copied()));
+    rim.iter().enumerate().for_each(|(i, edge)| starts.note(edge.0, i));
     link(rim, own, starts)
-}
-
-/// Parts into which the vertices are divided for counting, each of which takes another look at the triangles: at all of them if
-/// the mesh is numbered at random, else at few more than its own.
-const LOOKS: usize = 8;
-
-/// Vertices of such a part.
-fn look(vertex_count: usize, threads: &Threads<'_>) -> usize {
-    (vertex_count + 1).div_ceil(threads.count().min(LOOKS))
-}
-
-/// The last slot of each vertex, and at the end the number of slots.
-fn slot_ends(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
-    let mut ends = memory::filled(0_u32, mesh.positions.len() + 1)?;
-    let look = look(mesh.positions.len(), threads);
-    threads.each(ends.chunks_mut(look).enumerate().collect(), |(part, ends)| match part {
-        0 => count(mesh, 0, ends),
-        _ => count(mesh, part * look, ends),
-    });
-    let mut next = 0;
-    for end in &mut ends {
-        *end += next;
-        next = *end + 1;
-    }
-    Ok(ends)
-}
-
-/// Counts the triangles around the vertices from `first` on. For 0, which takes no subtraction, it is compiled apart.
-#[inline(always)]
-fn count(mesh: &Mesh<'_>, first: usize, counts: &mut [u32]) {
-    for (_, triangles) in mesh.parts_with(first..first + counts.len()) {
-        for corners in triangles.iter().filter(|t| !repeats_a_vertex(t)) {
-            for &v in corners {
-                if let Some(count) = counts.get_mut((v as usize).wrapping_sub(first)) {
-                    *count += 1;
-                }
-            }
-        }
-    }
-}
-
-/// Triangle numbers around each vertex, in rising order, the last slot of each vertex left 0. Filling from behind moves the
-/// ends of each vertex's slots to where they start.
-fn incident_triangles(mesh: &Mesh<'_>, ends: &mut [u32], threads: &Threads<'_>) -> Result<Vec<u32>, Error> {
-    let mut slots = threads.collect(ends[ends.len() - 1] as usize, |_| 0)?;
-    // What was counted says whether a triangle was left out, so none needs a second look.
-    let takes_all = slots.len() == 3 * mesh.triangles.len() + mesh.positions.len();
-    let (look, mut rest, mut start) = (look(mesh.positions.len(), threads), &mut slots[..], 0);
-    let mut parts = Vec::new();
-    for (part, ends) in ends.chunks_mut(look).enumerate() {
-        // Where the next part begins; behind the last vertex the number of slots stands as an end.
-        let end = (ends[ends.len() - 1] as usize + 1).min(start + rest.len());
-        let (own, others) = rest.split_at_mut(end - start);
-        parts.push((part * look, start, ends, own));
-        (rest, start) = (others, end);
-    }
-    threads.each(parts, |(first, start, ends, slots)| match (first, takes_all) {
-        (0, true) => fill(mesh, (0, ends), (0, slots), |_| true),
-        _ => fill(mesh, (first, ends), (start, slots), |corners| takes_all || !repeats_a_vertex(corners)),
-    });
-    Ok(slots)
-}
-
-/// Fills slots with the numbers of those triangles that are `taken` up. Before the ends and the slots stands where they begin
-/// among all; for 0, which takes no subtraction, it is compiled apart.
-#[inline(always)]
-fn fill(
-    mesh: &Mesh<'_>,
-    (first, ends): (usize, &mut [u32]),
-    (start, slots): (usize, &mut [u32]),
-    taken: impl Fn(&[u32; 3]) -> bool,
-) {
-    for (number, triangles) in mesh.parts_with(first..first + ends.len()).rev() {
-        for (t, corners) in
-            (number..number + triangles.len()).zip(triangles).rev().filter(|(_, corners)| taken(corners))
-        {
-            for &v in corners {
-                if let Some(next) = ends.get_mut((v as usize).wrapping_sub(first)) {
-                    *next -= 1;
-                    slots[*next as usize - start] = t as u32;
-                }
-            }
-        }
-    }
-}
-
-/// The edge of a triangle opposite to its corner `v`, in the triangle's own direction.
-fn rim_edge(&[a, b, c]: &[u32; 3], v: u32) -> (u32, u32) {
-    if a == v {
-        (b, c)
-    } else if b == v {
-        (c, a)
-    } else {
-        (a, b)
-    }
 }
 
 /// Rim edges beyond which a search is faster in a sorted list.
@@ -464,6 +364,7 @@ fn walk(
 
 #[cfg(test)]
 mod tests {
+    use super::super::validated::repeats_a_vertex;
     use super::*;
 
     /// The stars of triangles over `count` vertices in places that don't matter.
@@ -513,14 +414,21 @@ mod tests {
         triangles
     }
 
+    /// The edges opposite to a vertex.
+    fn rim_edges(triangles: &[[u32; 3]], v: u32) -> Vec<(u32, u32)> {
+        let turns = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
+        let whole = triangles.iter().filter(|t| !repeats_a_vertex(t));
+        whole.flat_map(turns).filter(|turn| turn[0] == v).map(|[_, start, end]| (start, end)).collect()
+    }
+
     #[test]
     fn all_edges_at_a_time_make_the_ring_that_edge_by_edge_makes() {
         for triangles in (0..3000).map(scraps) {
             let stars = stars(20, &triangles);
             for v in 0..20 {
-                let has_v = |(_, t): &(u32, &[u32; 3])| t.contains(&v) && !repeats_a_vertex(t);
-                let mut own: Vec<u32> = (0..).zip(&triangles).filter(has_v).map(|(t, _)| t).chain([0]).collect();
-                let kind = link_alone(&triangles, &mut own, v, &mut Vec::new(), &mut Starts::default());
+                let (mut own, ends): (Vec<u32>, Vec<u32>) = rim_edges(&triangles, v).into_iter().unzip();
+                own.push(0);
+                let kind = link_alone(&mut own, &ends, &mut Vec::new(), &mut Starts::default());
                 assert_eq!(stars.kind(v), kind, "{v} in {triangles:?}");
                 if matches!(kind, StarKind::Open | StarKind::Closed) {
                     assert_eq!(stars.rim(v), own, "{v} in {triangles:?}");
@@ -541,7 +449,7 @@ mod tests {
             let mesh = Mesh::new(positions.as_slice(), &triangles, &Threads::ONE).expect("a mesh");
             let [one, three] = [1, 3]
                 .map(|count| Threads::with(count, 1_000_000, |threads| Stars::new(&mesh, threads).expect("stars")));
-            assert_eq!((one.slots, one.kinds), (three.slots, three.kinds));
+            assert_eq!((one.offsets, one.slots, one.kinds), (three.offsets, three.slots, three.kinds));
         }
     }
 
