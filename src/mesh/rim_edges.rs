@@ -75,7 +75,7 @@ fn count(mesh: &Mesh<'_>, first: usize, counts: &mut [u32]) {
 struct Slots<'a> {
     first_vertex: usize,
     first_slot: usize,
-    /// The last slot of each vertex that nothing has been put into.
+    /// Per vertex the first slot that something has been put into: to begin with the last one, which stays 0.
     last: &'a mut [u32],
     starts: &'a mut [u32],
     ends: &'a mut [u32],

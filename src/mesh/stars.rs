@@ -57,7 +57,7 @@ struct Hub {
 impl Stars {
     /// Builds the stars in linear time (and n log n in the valence of a vertex).
     pub fn new(mesh: &Mesh<'_>, threads: &Threads<'_>) -> Result<Self, Error> {
-        // Where edges start is where rings are to stand.
+        // The rings come to stand in the place of the starts.
         let RimEdges { offsets, starts: mut slots, ends } = RimEdges::new(mesh, threads)?;
         let mut kinds = memory::filled(StarKind::Empty, mesh.positions.len())?;
         let (mut parts, mut rest) = (Vec::new(), &mut slots[..]);
