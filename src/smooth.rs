@@ -75,7 +75,7 @@ fn smooth_on<T: Coordinate>(
     constraints: &Constraints<'_>,
     progress: &mut Progress<'_>,
 ) -> Result<Report, Error> {
-    let prepared = Preparation::new(positions, triangles, options, constraints, threads)?;
+    let prepared = threads.stay(|| Preparation::new(&*positions, triangles, options, constraints, threads))?;
     progress::tell(progress, 0.0)?;
     let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;

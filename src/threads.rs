@@ -53,6 +53,14 @@ impl Threads<'_> {
         self.0.map_or(1, ThreadPool::current_num_threads)
     }
 
+    /// Carries out `work` on one of the threads, so that they don't have to be called together for each thing in it.
+    pub fn stay<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match self.0 {
+            None => work(),
+            Some(pool) => pool.install(work),
+        }
+    }
+
     /// Carries out tasks, on the calling thread one by one or on all threads in any order. What they return comes in their
     /// own order.
     pub fn map<T: Send>(&self, tasks: Range<usize>, work: impl Fn(usize) -> T + Sync) -> Vec<T> {

@@ -35,11 +35,12 @@ pub(super) fn run(
     let mut sweeps =
         Sweeps { around, places, outcomes, threads, schedule: &schedule, visited: 0, total, tally: Tally::default() };
     for _ in 0..iterations {
-        sweeps.inside(tell)?;
-        for round in schedule.between() {
-            sweeps.at_once(tell, &round)?;
+        if threads.is_one() || schedule.len() > BATCH {
+            sweeps.sweep(tell)?;
+        } else {
+            progress::tell(tell, sweeps.done())?;
+            threads.stay(|| sweeps.sweep(&mut progress::silent))?;
         }
-        sweeps.one_by_one();
     }
     Ok(sweeps.tally)
 }
@@ -57,6 +58,21 @@ struct Sweeps<'a> {
 }
 
 impl Sweeps<'_> {
+    /// The share of all visits that is done.
+    fn done(&self) -> f64 {
+        self.visited as f64 / self.total as f64
+    }
+
+    /// One sweep.
+    fn sweep(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
+        self.inside(tell)?;
+        for round in self.schedule.between() {
+            self.at_once(tell, &round)?;
+        }
+        self.one_by_one();
+        Ok(())
+    }
+
     /// Visits what is in no task.
     fn one_by_one(&mut self) {
         let (mut visitor, rest) = (LoneVisitor::new(self.around), self.schedule.rest());
@@ -70,7 +86,7 @@ impl Sweeps<'_> {
         let Self { around, places, outcomes, threads, .. } = *self;
         let mut tasks = self.schedule.inside();
         while tasks.len() > 0 {
-            progress::tell(tell, self.visited as f64 / self.total as f64)?;
+            progress::tell(tell, self.done())?;
             let batch = tasks.by_ref().take(if threads.is_one() { 1 } else { BATCH_INSIDE * threads.count() });
             let done = threads.map_each(batch.collect(), |tasks| {
                 let carry_out = |task: Task<'_>| {
@@ -93,7 +109,7 @@ impl Sweeps<'_> {
         let Self { around, places, outcomes, .. } = *self;
         let mut left = tasks;
         while !left.is_empty() {
-            progress::tell(tell, self.visited as f64 / self.total as f64)?;
+            progress::tell(tell, self.done())?;
             let (batch, others) = left.split_at(if self.threads.is_one() { 1 } else { batch(left) });
             self.tally += self.threads.sum(0..batch.len(), |i| batch[i].carry_out(around, places, outcomes));
             self.visited += batch.iter().map(|task| task.vertices.len()).sum::<usize>();

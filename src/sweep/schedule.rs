@@ -98,9 +98,14 @@ fn between(marks: &[Mark]) -> Result<(Vec<Vec<u32>>, Vec<u32>), Error> {
     Ok((colors, rest))
 }
 
+/// Vertices of each task from so many of one colour: full turns, so that these are the same for any number of threads.
+fn task_size(vertices: usize, threads: &Threads<'_>) -> usize {
+    vertices.div_ceil(threads.count()).next_multiple_of(TOGETHER).min(TASK)
+}
+
 /// Tasks from vertices of one colour.
 fn lots_of_color(around: &Surroundings<'_>, vertices: &[u32], threads: &Threads<'_>) -> Result<Vec<Lot>, Error> {
-    let lots = threads.map_each(vertices.chunks(TASK).collect(), |vertices| {
+    let lots = threads.map_each(vertices.chunks(task_size(vertices.len(), threads)).collect(), |vertices| {
         let (mut vertices, mut turns) = (memory::copied(vertices)?, Vec::new());
         turns::take(around, &mut vertices, &mut turns)?;
         Ok(Lot { vertices, turns })
