@@ -17,7 +17,7 @@ impl<'a> Surface<'a> {
     }
 
     /// The greatest distance of those vertices that have moved to `new` and that `counts` holds for.
-    pub fn farthest(&self, new: &Positions, counts: impl Fn(u32) -> bool + Sync, threads: &Threads<'_>) -> f64 {
+    pub fn farthest(&self, new: &Positions<'_>, counts: impl Fn(u32) -> bool + Sync, threads: &Threads<'_>) -> f64 {
         let of_part = |part: usize| {
             let vertices = part * PART..((part + 1) * PART).min(new.len());
             let moved = vertices.filter(|&v| new.at(v) != self.mesh.positions.at(v) && counts(v as u32));

@@ -3,7 +3,7 @@
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::memory;
-use crate::mesh::{Coordinate, Mesh, Positions};
+use crate::mesh::{self, Coordinate, Mesh, Positions};
 use crate::options::{Constraints, Options};
 use crate::preparation::Preparation;
 use crate::progress::{self, Progress};
@@ -106,7 +106,7 @@ fn check(options: &Options, tail: &TailOptions<'_>, triangles: &[[u32; 3]]) -> R
 fn measure(around: &Surroundings<'_>, outcome: &mut Outcome, threads: &Threads<'_>) -> Result<(), Error> {
     let Outcome { positions, triangles, sources, report, lost_height } = outcome;
     let mesh = around.mesh;
-    let kept = Positions::new(false, sources.vertex.len(), |v| positions.at(sources.vertex[v] as usize), threads)?;
+    let kept = Positions::doubles(sources.vertex.len(), |v| positions.at(sources.vertex[v] as usize), threads)?;
     report.after = Measurement::of(&kept, triangles, mesh.unit, threads)?;
     report.volume_relative_change = report.after.volume_change_from(&report.before);
     let farthest =
@@ -129,7 +129,7 @@ impl<T: Coordinate> Output<T> {
         let mut positions = memory::reserved(sources.vertex.len())?;
         positions.extend(sources.vertex.iter().map(|&v| {
             let v = v as usize;
-            if new.at(v) == mesh.positions.at(v) { stored[v] } else { mesh.stored(new.at(v)) }
+            if new.at(v) == mesh.positions.at(v) { stored[v] } else { mesh::stored(new.at(v), mesh.unit) }
         }));
         Ok(Self { positions, triangles, sources, report })
     }

@@ -29,7 +29,7 @@ pub(crate) struct Preparation<'a> {
 impl<'a> Preparation<'a> {
     /// Checks options, constraints and buffers.
     pub fn new<T: Coordinate>(
-        positions: &(impl Vertices<T> + ?Sized),
+        positions: &'a (impl Vertices<T> + ?Sized),
         triangles: &'a [[u32; 3]],
         options: &Options,
         constraints: &Constraints<'_>,
@@ -50,11 +50,6 @@ impl<'a> Preparation<'a> {
         let finding = clock.elapsed().as_secs_f64() - adjacency;
         let cone_finder = (worthwhile && !kept).then(|| ConeFinder::new(&mesh));
         Ok(Self { mesh, stars, features, cones, cone_finder, operation, adjacency, finding })
-    }
-
-    /// The mesh alone; all else is forgotten.
-    pub fn into_mesh(self) -> Mesh<'a> {
-        self.mesh
     }
 
     /// The same, in the form in which visits read it.

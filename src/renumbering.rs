@@ -115,13 +115,9 @@ impl<T: Coordinate, V: Vertices<T> + ?Sized> Vertices<T> for Renumbered<'_, V> {
         self.vertices.at(place)
     }
 
-    /// What has changed is laid together first, so that each vertex is looked up at random once; unless memory is short.
-    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
+    fn set(&mut self, changed: impl Fn(usize, [T; 3]) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
         let ranks = &self.numbers.ranks;
-        match threads.collect(ranks.len(), &changed) {
-            Ok(all) => self.vertices.set(|v| all[ranks[v] as usize], threads),
-            Err(_) => self.vertices.set(|v| changed(ranks[v] as usize), threads),
-        }
+        self.vertices.set(|v, before| changed(ranks[v] as usize, before), threads);
     }
 }
 
@@ -347,7 +343,7 @@ mod tests {
         let mut vertices = new.vertices(positions.as_mut_slice());
         let moved: Vec<[f32; 3]> =
             (0..before.len()).map(|v| Vertices::<f32>::get(&vertices, v).map(|x| x + 1.0)).collect();
-        vertices.set(|v| Some(moved[v]), &Threads::ONE);
+        vertices.set(|v, _| Some(moved[v]), &Threads::ONE);
         assert!(positions.iter().zip(&before).all(|(p, q)| *p == q.map(|x| x + 1.0)));
         let locked: Vec<bool> = (0..before.len()).map(|v| v == 17).collect();
         let given = Constraints { locked: &locked, feature_edges: &[[17, 3]], ..Constraints::default() };

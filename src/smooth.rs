@@ -6,7 +6,7 @@ use std::time::Instant;
 use crate::deviation::Surface;
 use crate::error::Error;
 use crate::features::Role;
-use crate::mesh::{Coordinate, Positions, Vertices};
+use crate::mesh::{Coordinate, Positions, Vertices, in_units, stored};
 use crate::options::{Constraints, Options, Order};
 use crate::preparation::{Preparation, check_constraints};
 use crate::progress::{self, Progress};
@@ -79,8 +79,10 @@ fn smooth_on<T: Coordinate>(
     progress::tell(progress, 0.0)?;
     let (new, report) = sweeps(&prepared, options, constraints, threads, progress)?;
     progress::tell(progress, 1.0)?;
-    let mesh = prepared.into_mesh();
-    positions.set(|v| (mesh.positions.at(v) != new.at(v)).then(|| mesh.stored(new.at(v))), threads);
+    let unit = prepared.mesh.unit;
+    drop(prepared);
+    let changed = |v: usize, before| (in_units(before, unit) != new.at(v)).then(|| stored(new.at(v), unit));
+    positions.set(changed, threads);
     Ok(report)
 }
 
@@ -91,7 +93,7 @@ pub(crate) fn sweeps(
     constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
-) -> Result<(Positions, Report), Error> {
+) -> Result<(Positions<'static>, Report), Error> {
     let clock = Instant::now();
     let around = prepared.surroundings(options);
     let outcomes = Outcomes::new(prepared.mesh.positions.len(), threads)?;
@@ -109,7 +111,7 @@ pub(crate) fn sweeps(
 
 fn count(
     around: &Surroundings<'_>,
-    new: &Positions,
+    new: &Positions<'_>,
     outcomes: &Outcomes,
     tally: Tally,
     threads: &Threads<'_>,
@@ -129,7 +131,7 @@ fn count(
 }
 
 /// Counts what became of each vertex of a part: how many have moved, and why the others have not.
-fn count_part(around: &Surroundings<'_>, new: &Positions, outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
+fn count_part(around: &Surroundings<'_>, new: &Positions<'_>, outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
     let (mut moved, mut kept) = (0, Kept::default());
     for v in part {
         let reason = match (around.features.role(v as u32), outcomes.get(v as u32)) {
@@ -152,7 +154,7 @@ fn count_part(around: &Surroundings<'_>, new: &Positions, outcomes: &Outcomes, p
 fn measure_into(
     report: &mut Report,
     around: &Surroundings<'_>,
-    new: &Positions,
+    new: &Positions<'_>,
     threads: &Threads<'_>,
 ) -> Result<(), Error> {
     let mesh = around.mesh;

@@ -97,13 +97,20 @@ impl<T: Coordinate> Vertices<T> for CallersVertices<T> {
         unsafe { self.place(v).read() }
     }
 
+    fn as_slice(&self) -> Option<&[[T; 3]]> {
+        // SAFETY: without bytes between the vertices, which might be another's, they are an array of the caller's, who does not
+        // write it, by the promise of who made this; and we do in `set` alone, which no borrow of this outlives.
+        (self.stride == size_of::<[T; 3]>()).then(|| unsafe { array(self.start.cast(), self.count) })
+    }
+
     /// Writes where a bit has changed, and no byte of any other vertex.
-    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
+    fn set(&mut self, changed: impl Fn(usize, [T; 3]) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
         let bits = |p: [T; 3]| p.map(|x| x.to_f64().to_bits());
         let vertices = &*self;
         threads.parts(vertices.count, |part| {
             for v in part {
-                if let Some(new) = changed(v).filter(|&new| bits(new) != bits(vertices.get(v))) {
+                let before = vertices.get(v);
+                if let Some(new) = changed(v, before).filter(|&new| bits(new) != bits(before)) {
                     // SAFETY: the place is writable and aligned, by the promise of who made this, and nobody else reads or writes
                     // it: the parts have no vertex in common, and this is borrowed mutably.
                     unsafe { vertices.place(v).write(new) };
@@ -118,7 +125,7 @@ impl<T: Coordinate> Vertices<T> for CallersVertices<T> {
 /// # Safety
 /// `start` points to at least as many vertices, `stride` bytes apart, aligned, that may be written.
 pub(super) unsafe fn write_positions<T: Coordinate>(start: *mut T, stride: usize, new: &[[T; 3]]) {
-    CallersVertices { start, stride, count: new.len() }.set(|v| Some(new[v]), &Threads::ONE);
+    CallersVertices { start, stride, count: new.len() }.set(|v, _| Some(new[v]), &Threads::ONE);
 }
 
 /// A caller's array without gaps.

@@ -27,7 +27,24 @@ impl Coordinate for f64 {
 }
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    use std::borrow::Cow;
+
+    use crate::mesh::Positions;
+
+    pub trait Sealed: Copy + 'static {
+        /// Positions as they are.
+        fn positions(all: Cow<'_, [[Self; 3]]>) -> Positions<'_>;
+    }
+
+    impl Sealed for f32 {
+        fn positions(all: Cow<'_, [[Self; 3]]>) -> Positions<'_> {
+            Positions::Single(all)
+        }
+    }
+
+    impl Sealed for f64 {
+        fn positions(all: Cow<'_, [[Self; 3]]>) -> Positions<'_> {
+            Positions::Double(all)
+        }
+    }
 }

@@ -11,5 +11,5 @@ mod vertices;
 pub use coordinate::Coordinate;
 pub(crate) use positions::{Positions, widened};
 pub(crate) use stars::{StarKind, Stars};
-pub(crate) use validated::{Mesh, repeats_a_vertex};
+pub(crate) use validated::{Mesh, in_units, repeats_a_vertex, stored};
 pub(crate) use vertices::Vertices;

@@ -1,31 +1,33 @@
 //! Positions in the caller's own precision: single precision takes half the memory, and memory is what a large mesh waits for.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use crate::error::Error;
 use crate::memory;
 use crate::threads::Threads;
 
-/// Where vertices are, exactly.
+/// Where vertices are, exactly: in the caller's buffer, or in one of our own.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Positions {
-    Single(Vec<[f32; 3]>),
-    Double(Vec<DVec3>),
+pub enum Positions<'a> {
+    Single(Cow<'a, [[f32; 3]]>),
+    Double(Cow<'a, [[f64; 3]]>),
 }
 
-impl Positions {
-    /// What `position` says of each of `count` vertices; each coordinate is known to be one of single precision if `single` says so.
-    pub fn new(
-        single: bool,
+impl<'a> Positions<'a> {
+    /// What `position` says of each of `count` vertices.
+    pub(crate) fn doubles(
         count: usize,
         position: impl Fn(usize) -> DVec3 + Sync,
         threads: &Threads<'_>,
     ) -> Result<Self, Error> {
-        Ok(if single {
-            Self::Single(threads.collect(count, |v| position(v).to_array().map(|x| x as f32))?)
-        } else {
-            Self::Double(threads.collect(count, position)?)
-        })
+        Ok(Self::Double(Cow::Owned(threads.collect(count, |v| position(v).to_array())?)))
+    }
+
+    /// Those of a list, in the same memory.
+    pub fn from_doubles(all: Vec<DVec3>) -> Self {
+        Self::Double(Cow::Owned(all.into_iter().map(|position| position.to_array()).collect()))
     }
 
     /// How many vertices there are.
@@ -41,7 +43,7 @@ impl Positions {
     pub fn at(&self, v: usize) -> DVec3 {
         match self {
             Self::Single(all) => widened(all[v]),
-            Self::Double(all) => all[v],
+            Self::Double(all) => DVec3::from_array(all[v]),
         }
     }
 
@@ -55,8 +57,8 @@ impl Positions {
     /// All in double precision; a copy only where they have not been.
     pub fn into_doubles(self) -> Result<Vec<DVec3>, Error> {
         match self {
-            Self::Double(all) => Ok(all),
-            single @ Self::Single(_) => single.doubled(),
+            Self::Double(Cow::Owned(all)) => Ok(all.into_iter().map(DVec3::from_array).collect()),
+            others => others.doubled(),
         }
     }
 }
@@ -73,14 +75,14 @@ mod tests {
     use crate::mesh::Mesh;
 
     /// The positions of a mesh of one triangle in single precision.
-    fn positions(corners: [[f32; 3]; 3]) -> Positions {
+    fn positions(corners: &[[f32; 3]; 3]) -> Positions<'_> {
         Mesh::new(corners.as_slice(), &[[0, 1, 2]], &Threads::ONE).expect("a mesh").positions
     }
 
     #[test]
     fn single_precision_stays_what_it_is() {
         let corners = [[0.1, 0.0, -0.0], [1.0e-40, 3.0, 1.0], [-7.7, 1.0, 0.3]];
-        let (found, doubled) = (positions(corners), corners.map(|p| DVec3::from_array(p.map(f64::from))));
+        let (found, doubled) = (positions(&corners), corners.map(|p| DVec3::from_array(p.map(f64::from))));
         assert!(matches!(found, Positions::Single(_)));
         assert_eq!([0, 1, 2].map(|v| found.at(v)), doubled);
         assert_eq!(found.into_doubles().expect("memory"), doubled);
@@ -100,6 +102,6 @@ mod tests {
     fn double_precision_is_kept() {
         let corners = [[0.1_f64; 3]; 3];
         let mesh = Mesh::new(corners.as_slice(), &[[0, 1, 2]], &Threads::ONE).expect("a mesh");
-        assert_eq!(mesh.positions, Positions::Double(corners.map(DVec3::from_array).to_vec()));
+        assert_eq!(mesh.positions, Positions::Double(corners.to_vec().into()));
     }
 }

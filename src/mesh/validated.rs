@@ -1,5 +1,6 @@
 //! The validated mesh: every index in range, every coordinate finite.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use fearless_simd::{Level, dispatch};
@@ -11,8 +12,8 @@ use crate::threads::{PART, Threads};
 
 /// A mesh that the upper layers can trust. Triangles that name a vertex twice are still in it: no star takes them up.
 pub(crate) struct Mesh<'a> {
-    /// Positions in units of `unit`; in single precision if the caller's buffer is and the unit is 1.
-    pub positions: Positions,
+    /// Positions in units of `unit`; where that is 1, in the precision of the caller's buffer, and there if they lie one after the other.
+    pub positions: Positions<'a>,
     /// Corners of each triangle.
     pub triangles: &'a [[u32; 3]],
     /// The least and the greatest corner of each [`PART`] of the triangles.
@@ -24,9 +25,9 @@ pub(crate) struct Mesh<'a> {
 }
 
 impl<'a> Mesh<'a> {
-    /// Checks the buffers and copies the positions.
+    /// Checks the buffers.
     pub fn new<T: Coordinate>(
-        positions: &(impl Vertices<T> + ?Sized),
+        positions: &'a (impl Vertices<T> + ?Sized),
         triangles: &'a [[u32; 3]],
         threads: &Threads<'_>,
     ) -> Result<Self, Error> {
@@ -36,13 +37,13 @@ impl<'a> Mesh<'a> {
         let spans = parts.into_iter().collect::<Result<_, Error>>()?;
         let parts = threads.parts(vertex_count, |part| largest_coordinate(positions, part));
         let unit = unit_of(parts.into_iter().try_fold(0.0, |largest, part| Ok(f64::max(largest, part?)))?);
-        // Scaling down takes two steps where the reciprocal itself would be subnormal.
-        let read = |v: usize| DVec3::from_array(positions.get(v).map(Coordinate::to_f64));
         let single = T::from_f64(0.1).to_f64() != 0.1;
-        let positions = if unit == 1.0 {
-            Positions::new(single, vertex_count, read, threads)?
+        let positions = if unit != 1.0 {
+            Positions::doubles(vertex_count, |v| in_units(positions.get(v), unit), threads)?
+        } else if let Some(all) = positions.as_slice() {
+            T::positions(Cow::Borrowed(all))
         } else {
-            Positions::new(false, vertex_count, |v| read(v) / unit, threads)?
+            T::positions(Cow::Owned(threads.collect(vertex_count, |v| positions.get(v))?))
         };
         Ok(Self { positions, triangles, spans, unit, single })
     }
@@ -89,11 +90,19 @@ impl<'a> Mesh<'a> {
     fn rounded<T: Coordinate>(&self, position: DVec3) -> DVec3 {
         DVec3::from_array(position.to_array().map(|x| T::from_f64(x * self.unit).to_f64() / self.unit))
     }
+}
 
-    /// `position` as it is written into the caller's buffer.
-    pub fn stored<T: Coordinate>(&self, position: DVec3) -> [T; 3] {
-        position.to_array().map(|x| T::from_f64(x * self.unit))
-    }
+/// A position of the caller's in units.
+#[inline(always)]
+pub(crate) fn in_units<T: Coordinate>(position: [T; 3], unit: f64) -> DVec3 {
+    // Scaling down takes two steps where the reciprocal itself would be subnormal.
+    DVec3::from_array(position.map(Coordinate::to_f64)) / unit
+}
+
+/// A position in units as it is written into the caller's buffer.
+#[inline(always)]
+pub(crate) fn stored<T: Coordinate>(position: DVec3, unit: f64) -> [T; 3] {
+    position.to_array().map(|x| T::from_f64(x * unit))
 }
 
 /// Whether a triangle names a vertex twice.

@@ -16,8 +16,13 @@ pub(crate) trait Vertices<T: Coordinate>: Sync {
         self.get(place)
     }
 
-    /// Writes the position of each vertex that `changed` has one for.
-    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>);
+    /// All positions, if they lie in memory one after the other.
+    fn as_slice(&self) -> Option<&[[T; 3]]> {
+        None
+    }
+
+    /// Writes the position of each vertex that `changed` has one for, knowing its number and where it has been.
+    fn set(&mut self, changed: impl Fn(usize, [T; 3]) -> Option<[T; 3]> + Sync, threads: &Threads<'_>);
 }
 
 impl<T: Coordinate> Vertices<T> for [[T; 3]] {
@@ -29,10 +34,14 @@ impl<T: Coordinate> Vertices<T> for [[T; 3]] {
         self[v]
     }
 
-    fn set(&mut self, changed: impl Fn(usize) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
+    fn as_slice(&self) -> Option<&[[T; 3]]> {
+        Some(self)
+    }
+
+    fn set(&mut self, changed: impl Fn(usize, [T; 3]) -> Option<[T; 3]> + Sync, threads: &Threads<'_>) {
         threads.each(self.chunks_mut(PART).enumerate().collect(), |(part, positions)| {
             for (v, stored) in (part * PART..).zip(positions) {
-                if let Some(new) = changed(v) {
+                if let Some(new) = changed(v, *stored) {
                     *stored = new;
                 }
             }

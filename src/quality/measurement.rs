@@ -106,7 +106,7 @@ pub fn histogram<T: Coordinate>(
 impl Measurement {
     /// Measures positions in units of `unit`.
     pub(crate) fn of(
-        positions: &Positions,
+        positions: &Positions<'_>,
         triangles: &[[u32; 3]],
         unit: f64,
         threads: &Threads<'_>,
@@ -168,7 +168,7 @@ fn distribution(
 
 /// Volume of the cone from the centre of the bounding box, summed with error compensation (Neumaier 1974), so that the
 /// figure is good enough to show a change of 1e-15.
-fn signed_volume(positions: &Positions, triangles: &[[u32; 3]]) -> f64 {
+fn signed_volume(positions: &Positions<'_>, triangles: &[[u32; 3]]) -> f64 {
     let used = || triangles.iter().flatten().map(|&v| positions.at(v as usize));
     let low = used().fold(DVec3::INFINITY, DVec3::min);
     let high = used().fold(DVec3::NEG_INFINITY, DVec3::max);

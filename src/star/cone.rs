@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch, f64x8};
+use glam::DVec3;
 
 use super::company::{Companions, TOGETHER};
 use super::local::{Countdown, LocalStars};
@@ -285,7 +286,7 @@ impl ConeFinder {
 fn gather<N: Number>(mesh: &Mesh<'_>, stars: &Stars, local: &mut LocalStars<N>, vertices: &N::Vertices) {
     match &mesh.positions {
         Positions::Single(all) => local.gather(stars, |v| widened(all[v as usize]), vertices),
-        Positions::Double(all) => local.gather(stars, |v| all[v as usize], vertices),
+        Positions::Double(all) => local.gather(stars, |v| DVec3::from_array(all[v as usize]), vertices),
     }
 }
 

@@ -162,7 +162,7 @@ mod tests {
         (positions, triangles)
     }
 
-    fn swept(around: &Surroundings<'_>, threads: u32) -> Positions {
+    fn swept(around: &Surroundings<'_>, threads: u32) -> Positions<'static> {
         Threads::with(threads, around.stars.len(), |threads| {
             let places = Places::new(&around.mesh.positions, threads).expect("memory");
             let outcomes = Outcomes::new(around.stars.len(), threads).expect("memory");

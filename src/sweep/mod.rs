@@ -40,7 +40,7 @@ pub(crate) fn run(
     constraints: &Constraints<'_>,
     threads: &Threads<'_>,
     progress: &mut Progress<'_>,
-) -> Result<(Positions, Tally), Error> {
+) -> Result<(Positions<'static>, Tally), Error> {
     let places = Places::new(&around.mesh.positions, threads)?;
     let iterations = options.iterations;
     let tally = match options.order {

@@ -24,7 +24,7 @@ impl Places {
                 Self::Single(threads.collect(all.len(), |v| all[v].map(|x| AtomicU32::new(x.to_bits())))?)
             }
             Positions::Double(all) => {
-                Self::Double(threads.collect(all.len(), |v| all[v].to_array().map(|x| AtomicU64::new(x.to_bits())))?)
+                Self::Double(threads.collect(all.len(), |v| all[v].map(|x| AtomicU64::new(x.to_bits())))?)
             }
         })
     }
@@ -72,15 +72,15 @@ impl Places {
     }
 
     /// All positions, in the same memory.
-    pub fn into_positions(self) -> Positions {
+    pub fn into_positions(self) -> Positions<'static> {
         match self {
             Self::Single(places) => {
                 let position = |place: [AtomicU32; 3]| place.map(|x| f32::from_bits(x.into_inner()));
-                Positions::Single(places.into_iter().map(position).collect())
+                Positions::Single(places.into_iter().map(position).collect::<Vec<_>>().into())
             }
             Self::Double(places) => {
                 let position = |place: [AtomicU64; 3]| place.map(|x| f64::from_bits(x.into_inner()));
-                Positions::Double(places.into_iter().map(|place| DVec3::from_array(position(place))).collect())
+                Positions::Double(places.into_iter().map(position).collect::<Vec<_>>().into())
             }
         }
     }

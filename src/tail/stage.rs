@@ -26,7 +26,7 @@ const FLIPS: f64 = 0.5;
 /// What the stage leaves.
 pub(crate) struct Outcome {
     /// Positions of all input vertices, in the mesh's units.
-    pub positions: Positions,
+    pub positions: Positions<'static>,
     /// Output triangles, by output vertices.
     pub triangles: Vec<[u32; 3]>,
     pub sources: Sources,
@@ -71,5 +71,5 @@ pub(crate) fn run(
     let lost_height = queue.lost_height;
     let Compact { positions, triangles, sources } = Compact::new(live, &gone)?;
     report.seconds = clock.elapsed().as_secs_f64();
-    Ok(Outcome { positions: Positions::Double(positions), triangles, sources, report, lost_height })
+    Ok(Outcome { positions: Positions::from_doubles(positions), triangles, sources, report, lost_height })
 }
