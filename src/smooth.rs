@@ -131,7 +131,12 @@ fn count(
 }
 
 /// Counts what became of each vertex of a part: how many have moved, and why the others have not.
-fn count_part(around: &Surroundings<'_>, new: &Positions<'_>, outcomes: &Outcomes, part: Range<usize>) -> (usize, Kept) {
+fn count_part(
+    around: &Surroundings<'_>,
+    new: &Positions<'_>,
+    outcomes: &Outcomes,
+    part: Range<usize>,
+) -> (usize, Kept) {
     let (mut moved, mut kept) = (0, Kept::default());
     for v in part {
         let reason = match (around.features.role(v as u32), outcomes.get(v as u32)) {

@@ -1,6 +1,7 @@
 //! Cones around the normals of the original triangles of each star: enough to know, most of the time, that none of them is
 //! sharply bent against another one, or that a new triangle faces as all of them do.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd, dispatch, f64x8};
@@ -27,8 +28,8 @@ const BLUR: f64 = 4e-6;
 /// Squared cosine of the widest cone that is of use: 74°.
 const WIDEST: f64 = 0.076;
 
-/// The largest mesh in double precision whose cones are kept: they take 24 bytes a vertex, which is too much beside the positions
-/// where memory is short.
+/// The largest mesh in double precision whose cones are kept beside a copy of its positions: each takes 24 bytes a vertex, and both
+/// are too much where memory is short.
 const LARGEST: usize = 1 << 24;
 
 /// A cone for each of consecutive vertices; for stars with many triangles or none of use that nothing agrees with.
@@ -72,7 +73,8 @@ impl Cones {
     pub fn may_be_kept(mesh: &Mesh<'_>) -> bool {
         match &mesh.positions {
             Positions::Single(_) => true,
-            Positions::Double(all) => all.len() <= LARGEST,
+            Positions::Double(Cow::Borrowed(_)) => true,
+            Positions::Double(Cow::Owned(all)) => all.len() <= LARGEST,
         }
     }
 
