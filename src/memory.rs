@@ -13,6 +13,18 @@ pub(crate) fn reserved<T>(capacity: usize) -> Result<Vec<T>, Error> {
     Ok(vector)
 }
 
+/// The same for working memory of a call: where it is worth it, more address space is taken, of which what is not written to never
+/// becomes memory.
+pub(crate) fn spacious<T>(capacity: usize) -> Result<Vec<T>, Error> {
+    let mut vector = Vec::new();
+    match pages::own_capacity::<T>(capacity) {
+        Some(more) if vector.try_reserve_exact(more).is_ok() => {}
+        _ => return reserved(capacity),
+    }
+    pages::ask_for_large(vector.spare_capacity_mut());
+    Ok(vector)
+}
+
 /// A vector of all that comes, however much that is.
 pub(crate) fn gathered<T>(source: impl Iterator<Item = T>) -> Result<Vec<T>, Error> {
     let mut vector = Vec::new();
@@ -30,9 +42,9 @@ pub(crate) fn push<T>(vector: &mut Vec<T>, item: T) -> Result<(), Error> {
     Ok(())
 }
 
-/// A vector of `length` copies of `value`.
+/// A vector of `length` copies of `value`, as working memory.
 pub(crate) fn filled<T: Clone>(value: T, length: usize) -> Result<Vec<T>, Error> {
-    let mut vector = reserved(length)?;
+    let mut vector = spacious(length)?;
     vector.resize(length, value);
     Ok(vector)
 }

@@ -9,6 +9,17 @@ use std::mem::MaybeUninit;
 /// threshold of glibc's allocator.
 const LARGE: usize = 32 << 20;
 
+/// Bytes from which on an array that is not large is worth a mapping of its own. Smaller ones come sooner by pages that the call has
+/// given back before.
+const WORTH_IT: usize = 8 << 20;
+
+/// The capacity with which an array that is worth it gets a mapping of its own.
+pub(crate) fn own_capacity<T>(capacity: usize) -> Option<usize> {
+    let bytes = capacity.saturating_mul(size_of::<T>());
+    let is_worth_it = cfg!(all(target_os = "linux", target_pointer_width = "64")) && (WORTH_IT..LARGE).contains(&bytes);
+    is_worth_it.then(|| LARGE.div_ceil(size_of::<T>()))
+}
+
 /// Asks for large pages in an array that nothing has been written to. Whether they come changes nothing but the time.
 #[cfg(target_os = "linux")]
 pub(crate) fn ask_for_large<T>(room: &mut [MaybeUninit<T>]) {
@@ -34,7 +45,7 @@ mod tests {
 
     #[test]
     fn arrays_hold_what_is_written_whatever_their_size() {
-        for length in [0, 1, 1000, 5 << 20] {
+        for length in [0, 1, 1000, 1 << 20, 5 << 20] {
             let array = memory::filled(7_u64, length).expect("memory");
             assert!(array.len() == length && array.iter().all(|&x| x == 7));
         }

@@ -77,7 +77,7 @@ impl Threads<'_> {
 
     /// What `work` makes of each number below `count`. The memory is first touched by the threads that fill it.
     pub fn collect<T: Send>(&self, count: usize, work: impl Fn(usize) -> T + Sync) -> Result<Vec<T>, Error> {
-        let mut all = memory::reserved(count)?;
+        let mut all = memory::spacious(count)?;
         match self.0 {
             None => all.extend((0..count).map(work)),
             Some(pool) => {

@@ -1,5 +1,5 @@
-//! Raw reads and writes of the caller's memory, and nothing else. No function here makes a reference to memory that
-//! is also written.
+//! Raw reads and writes of the caller's memory, and nothing else. No reference to memory that is also written outlives the time in
+//! which nobody writes it.
 
 use std::ffi::CStr;
 use std::slice;
@@ -67,8 +67,8 @@ impl<T: Coordinate> MeshMemory<T> {
     }
 }
 
-/// The caller's positions. Each vertex is read and written by itself: a slice over the buffer would claim the bytes between
-/// the vertices, which may belong to another thread.
+/// The caller's positions. Each vertex is read and written by itself where there are bytes between the vertices: a slice over the
+/// buffer would claim those too, which may belong to another thread.
 pub(super) struct CallersVertices<T> {
     start: *mut T,
     stride: usize,
@@ -246,6 +246,19 @@ mod tests {
         const NAME: &'static CStr = c"grown";
         const FIRST_SIZE: usize = offset_of!(Self, first) + size_of::<u64>();
         const LATER_SIZES: &'static [usize] = &[size_of::<Self>()];
+    }
+
+    #[test]
+    fn vertices_are_a_slice_only_without_bytes_between_them() {
+        let mut numbers = [1.0_f32, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let mut slice = |stride: usize| {
+            let start = numbers.as_mut_ptr();
+            CallersVertices { start, stride, count: 2 }.as_slice().map(<[_]>::to_vec)
+        };
+        assert_eq!(slice(12), Some(vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]));
+        assert_eq!(slice(16), None);
+        let none = CallersVertices::<f64> { start: null_mut(), stride: 24, count: 0 };
+        assert_eq!(none.as_slice(), Some(&[][..]));
     }
 
     fn given(struct_size: usize) -> Grown {

@@ -94,7 +94,8 @@ pub fn histogram<T: Coordinate>(
         return bad("bins", 0.0);
     }
     let mesh = Mesh::new(positions, triangles, &Threads::ONE)?;
-    let mut counts = memory::filled(0, bins)?;
+    let mut counts = memory::reserved(bins)?;
+    counts.resize(bins, 0);
     for t in triangles {
         let value = parameter.of(&Sides::new(mesh.corners(t)));
         // The cast takes negative values to 0 and infinity to the largest number.

@@ -14,7 +14,8 @@ use crate::progress::{self, Progress};
 use crate::star::Cones;
 use crate::threads::Threads;
 
-/// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one.
+/// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one. A mesh
+/// that has no more is swept in one go.
 const BATCH: usize = 1 << 20;
 
 /// The same for each thread in tasks inside blocks or shares.
