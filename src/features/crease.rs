@@ -74,7 +74,7 @@ impl Dihedral<'_> {
     fn is_sharp(&self, v: u32, r: u32, [before, after]: [u32; 2]) -> bool {
         let sides = [[r, v, before], [v, r, after]];
         !self.is_plainly_flat([v, r, before, after])
-            && cosine(self.side(sides[0]), self.side(sides[1])) < self.sharp
+            && is_cosine_below(self.sharp, self.side(sides[0]), self.side(sides[1]))
             && !sides.into_iter().any(|triangle| self.stars.is_folded(self.mesh, triangle))
     }
 
@@ -108,8 +108,9 @@ impl Dihedral<'_> {
     /// Normal of the side of an edge p → q on which the triangle (p, q, x) lies. The normal of a thin triangle is mostly
     /// noise, so there the triangles beyond its other two edges have their say, each by its area.
     fn side(&self, triangle: [u32; 3]) -> DVec3 {
-        let own = self.normal(triangle);
-        if Sides::new(self.mesh.corners(&triangle)).shape() >= THIN {
+        let corners = self.mesh.corners(&triangle);
+        let own = normal(corners);
+        if !is_thin(corners, own) {
             return own;
         }
         let others = self.beyond(triangle).into_iter().flatten();
@@ -122,8 +123,39 @@ impl Dihedral<'_> {
     }
 
     fn normal(&self, triangle: [u32; 3]) -> DVec3 {
-        let [a, b, c] = self.mesh.corners(&triangle);
-        (b - a).cross(c - a)
+        normal(self.mesh.corners(&triangle))
+    }
+}
+
+/// Normal of a triangle, twice its area long.
+fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
+/// Whether the shape of a triangle with this normal is below [`THIN`]: mostly without a root or a division.
+fn is_thin(corners: [DVec3; 3], normal: DVec3) -> bool {
+    let [a, b, c] = corners;
+    let sum = (c - b).length_squared() + (a - c).length_squared() + (b - a).length_squared();
+    let (square, bound) = (12.0 * normal.length_squared(), THIN * THIN * sum * sum);
+    if square > CLEARLY * bound {
+        false
+    } else if CLEARLY * square < bound {
+        true
+    } else {
+        Sides::new(corners).shape() < THIN
+    }
+}
+
+/// Whether [`cosine`] is below a bound: mostly without a root or a division.
+fn is_cosine_below(bound: f64, a: DVec3, b: DVec3) -> bool {
+    let along = a.dot(b);
+    let (own, other) = (along * along, bound * bound * (a.length_squared() * b.length_squared()));
+    if along > 0.0 && bound > 0.0 && own > CLEARLY * other {
+        false
+    } else if along > 0.0 && bound > 0.0 && CLEARLY * own < other {
+        true
+    } else {
+        cosine(a, b) < bound
     }
 }
 
@@ -180,5 +212,54 @@ impl Patches {
     fn is_credible(&mut self, [a, _]: [u32; 2]) -> bool {
         let root = self.root(a);
         self.edges[root] >= SHORT || !self.unclear[root]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers between -1 and 1, all over the place.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut state = 1_u64;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / f64::from(1 << 26) / f64::from(1 << 26) - 1.0
+        }
+    }
+
+    #[test]
+    fn without_a_root_the_same_triangles_are_thin() {
+        let (mut number, mut found) = (numbers(), [0; 2]);
+        for i in 0..100_000 {
+            // Isosceles, of any height or of about that from which on it is not thin; the base differs in its last bits.
+            let limit = 3.0_f64.sqrt() * (1.0 - (1.0 - THIN * THIN).sqrt()) / (2.0 * THIN);
+            let height = if i % 2 == 0 { number() } else { limit * (1.0 + 1e-6 * number()) };
+            let corners =
+                [[-0.5 + 1e-16 * number(), 0.0, 0.0], [0.5, 0.0, 0.0], [0.0, height, 0.0]].map(DVec3::from_array);
+            let is_thin = is_thin(corners, normal(corners));
+            assert_eq!(is_thin, Sides::new(corners).shape() < THIN, "{corners:?}");
+            found[usize::from(is_thin)] += 1;
+        }
+        assert!(found.iter().all(|&count| count > 10_000), "{found:?}");
+    }
+
+    #[test]
+    fn without_a_root_the_same_angles_are_sharp() {
+        let mut number = numbers();
+        for degrees in [0.0, 1e-3, 30.0, 90.0, 120.0, 179.0] {
+            let bound = libm::cos(f64::to_radians(degrees));
+            let mut found = [0; 2];
+            for i in 0..10_000 {
+                let angle = if i % 2 == 0 { 180.0 * number() } else { degrees + 1e-7 * number() };
+                let (size, (sine, cosine_of)) = (1.0 + number(), libm::sincos(f64::to_radians(angle)));
+                let (a, b) = (DVec3::X, DVec3::new(size * cosine_of, size * sine, 0.0));
+                let is_below = is_cosine_below(bound, a, b);
+                assert_eq!(is_below, cosine(a, b) < bound, "{degrees}: {angle}");
+                found[usize::from(is_below)] += 1;
+            }
+            assert!(found.iter().all(|&count| count > 10), "{degrees}: {found:?}");
+        }
+        assert!(!is_cosine_below(0.5, DVec3::ZERO, DVec3::X));
     }
 }

@@ -65,6 +65,7 @@ impl<'a> Mesh<'a> {
     }
 
     /// Positions of the corners of a triangle.
+    #[inline]
     pub fn corners(&self, triangle: &[u32; 3]) -> [DVec3; 3] {
         triangle.map(|v| self.position(v))
     }
