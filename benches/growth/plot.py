@@ -62,17 +62,19 @@ def draw(rows):
 def table(rows):
     head = (
         "| triangles | 1 thread | validation and stars | features | a sweep | features off | all threads "
-        "| random order, 1 thread | random order, all threads | bytes a triangle | peak, GiB |"
+        "| random order, 1 thread | random order, all threads | bytes a triangle | random order | peak, GiB | random order |"
     )
-    lines = [head, "|---" * 11 + "|"]
+    lines = [head, "|---" * 13 + "|"]
     one, off, every = (rows["sane", *rest] for rest in (("features", "1"), ("off", "1"), ("features", "0")))
     random, random_every = (rows["permuted", "features", threads] for threads in ("1", "0"))
     for n, row in one.items():
         cells = [row["wall_ns"], row["adjacency_ns"], row["features_ns"], row["sweep_ns"], off[n]["wall_ns"]]
         cells += [every[n]["wall_ns"], random[n]["wall_ns"], random_every[n]["wall_ns"]]
-        most = max(series[n]["bytes_per_triangle"] for series in rows.values())
-        peak = max(series[n]["peak_gib"] for series in rows.values())
-        numbers = [*(f"{cell:,.0f}" for cell in cells), f"{most:.1f}" if n > SETTLED else "–", f"{peak:.2f}"]
+        numbers = [f"{cell:,.0f}" for cell in cells]
+        for key, form in (("bytes_per_triangle", ".1f"), ("peak_gib", ".2f")):
+            for numbering in ("sane", "permuted"):
+                most = max(series[n][key] for setting, series in rows.items() if setting[0] == numbering)
+                numbers.append(format(most, form) if n > SETTLED else "–")
         lines.append("| " + " | ".join([f"{n:,}", *numbers]) + " |")
     return "\n".join(lines)
 
