@@ -8,7 +8,8 @@ use crate::error::Error;
 use crate::memory;
 use crate::threads::Threads;
 
-/// Where vertices are, exactly: in the caller's buffer, or in one of our own.
+/// Where vertices are, exactly: in the caller's buffer, or in one of our own. Public for the sealed trait that names it; nobody
+/// outside can.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Positions<'a> {
     Single(Cow<'a, [[f32; 3]]>),
