@@ -150,9 +150,10 @@ fn is_thin(corners: [DVec3; 3], normal: DVec3) -> bool {
 fn is_cosine_below(bound: f64, a: DVec3, b: DVec3) -> bool {
     let along = a.dot(b);
     let (own, other) = (along * along, bound * bound * (a.length_squared() * b.length_squared()));
-    if along > 0.0 && bound > 0.0 && own > CLEARLY * other {
+    let are_positive = along > 0.0 && bound > 0.0;
+    if are_positive && own > CLEARLY * other {
         false
-    } else if along > 0.0 && bound > 0.0 && CLEARLY * own < other {
+    } else if are_positive && CLEARLY * own < other {
         true
     } else {
         cosine(a, b) < bound
