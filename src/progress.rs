@@ -13,7 +13,7 @@ pub enum Flow {
 
 /// Called with the share of the work that is done, 0 to 1, never falling: at the start, after each stage, and within sweeps at least
 /// once every [`INTERVAL`] vertices where stars are visited one by one, every few tens of thousands where eight are at once, and
-/// with several threads at least once a sweep, and at least once every ten million vertices of each thread.
+/// with several threads at least twice a sweep, and at least once every ten million vertices of each thread.
 pub type Progress<'a> = dyn FnMut(f64) -> Flow + 'a;
 
 /// Vertices visited between two calls of the progress callback.

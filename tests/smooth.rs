@@ -321,6 +321,30 @@ fn progress_rises_and_cancel_leaves_the_buffer() {
 }
 
 #[test]
+fn several_threads_tell_of_progress_and_stop_too() {
+    let before = torus(260, 160, 0.3, 14);
+    let options = Options { threads: 2, ..Options::default() };
+    let run = |stop_at: usize| {
+        let (mut mesh, mut calls) = (before.clone(), Vec::new());
+        let mut listen = |done: f64| {
+            calls.push(done);
+            if calls.len() > stop_at { Flow::Cancel } else { Flow::Continue }
+        };
+        let result = smooth(&mut mesh.0, &mesh.1, &options, &Constraints::default(), &mut listen);
+        (result, mesh, calls)
+    };
+    let (result, after, calls) = run(usize::MAX);
+    assert!(result.is_ok() && after.0 != before.0);
+    assert!(calls.is_sorted() && calls[0] == 0.0 && calls[calls.len() - 1] == 1.0);
+    assert!(calls.len() >= 2 + 2 * options.iterations as usize, "{calls:?}");
+    for stop_at in 0..calls.len() {
+        let (result, stopped, heard) = run(stop_at);
+        assert_eq!((result.unwrap_err(), heard.len()), (Error::Cancelled, stop_at + 1));
+        assert_eq!(stopped.0, before.0);
+    }
+}
+
+#[test]
 fn each_misuse_names_its_offender() {
     let good = torus(8, 6, 0.2, 15);
     let call = |positions: &[[f64; 3]], triangles: &[[u32; 3]], options: &Options, constraints: &Constraints<'_>| {

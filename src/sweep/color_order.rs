@@ -14,8 +14,8 @@ use crate::progress::{self, Progress};
 use crate::star::Cones;
 use crate::threads::Threads;
 
-/// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one. A mesh
-/// that has no more is swept in one go.
+/// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one. Where
+/// there are no more, all colours go in one go.
 const BATCH: usize = 1 << 20;
 
 /// The same for each thread in tasks inside blocks or shares.
@@ -36,11 +36,12 @@ pub(super) fn run(
     let mut sweeps =
         Sweeps { around, places, outcomes, threads, schedule: &schedule, visited: 0, total, tally: Tally::default() };
     for _ in 0..iterations {
+        sweeps.inside(tell)?;
         if threads.is_one() || schedule.len() > BATCH {
-            sweeps.sweep(tell)?;
+            sweeps.between(tell)?;
         } else {
             progress::tell(tell, sweeps.done())?;
-            threads.stay(|| sweeps.sweep(&mut progress::silent))?;
+            threads.stay(|| sweeps.between(&mut progress::silent))?;
         }
     }
     Ok(sweeps.tally)
@@ -64,9 +65,8 @@ impl Sweeps<'_> {
         self.visited as f64 / self.total as f64
     }
 
-    /// One sweep.
-    fn sweep(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
-        self.inside(tell)?;
+    /// Visits what is between blocks or shares.
+    fn between(&mut self, tell: &mut Progress<'_>) -> Result<(), Error> {
         for round in self.schedule.between() {
             self.at_once(tell, &round)?;
         }
