@@ -62,7 +62,7 @@ def draw(rows):
 def table(rows):
     head = (
         "| triangles | 1 thread | validation and stars | features | a sweep | features off | all threads "
-        "| random order, 1 thread | random order, all threads | bytes a triangle | random order | peak, GiB | random order |"
+        "| random order, 1 thread | random order, all threads | bytes a triangle | random order, bytes | peak, GiB | random order, GiB |"
     )
     lines = [head, "|---" * 13 + "|"]
     one, off, every = (rows["sane", *rest] for rest in (("features", "1"), ("off", "1"), ("features", "0")))

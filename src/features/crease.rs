@@ -87,7 +87,7 @@ impl Dihedral<'_> {
         let squares = [left.length_squared(), right.length_squared()];
         let is_believed = |square: f64, x: DVec3| {
             let sum = edge.length_squared() + x.length_squared() + (x - edge).length_squared();
-            12.0 * square > CLEARLY * THIN * THIN * sum * sum
+            is_clearly_thin(square, sum) == Some(false)
         };
         let along = left.dot(right);
         is_believed(squares[0], b)
@@ -132,18 +132,18 @@ fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// Whether the shape of a triangle with this normal is below [`THIN`]: mostly without a root or a division.
+/// Whether the shape of a triangle with this normal is below [`THIN`].
 fn is_thin(corners: [DVec3; 3], normal: DVec3) -> bool {
     let [a, b, c] = corners;
     let sum = (c - b).length_squared() + (a - c).length_squared() + (b - a).length_squared();
-    let (square, bound) = (12.0 * normal.length_squared(), THIN * THIN * sum * sum);
-    if square > CLEARLY * bound {
-        false
-    } else if CLEARLY * square < bound {
-        true
-    } else {
-        Sides::new(corners).shape() < THIN
-    }
+    is_clearly_thin(normal.length_squared(), sum).unwrap_or_else(|| Sides::new(corners).shape() < THIN)
+}
+
+/// The same without a root or a division, from the square of the normal and the sum of the squared sides; `None` where it is close.
+#[inline(always)]
+fn is_clearly_thin(square: f64, sum: f64) -> Option<bool> {
+    let (own, bound) = (12.0 * square, THIN * THIN * sum * sum);
+    if own > CLEARLY * bound { Some(false) } else { (CLEARLY * own < bound).then_some(true) }
 }
 
 /// Whether [`cosine`] is below a bound: mostly without a root or a division.

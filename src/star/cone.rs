@@ -72,8 +72,7 @@ impl Cones {
     /// Whether the cones of a mesh may be kept.
     pub fn may_be_kept(mesh: &Mesh<'_>) -> bool {
         match &mesh.positions {
-            Positions::Single(_) => true,
-            Positions::Double(Cow::Borrowed(_)) => true,
+            Positions::Single(_) | Positions::Double(Cow::Borrowed(_)) => true,
             Positions::Double(Cow::Owned(all)) => all.len() <= LARGEST,
         }
     }

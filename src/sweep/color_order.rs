@@ -15,7 +15,7 @@ use crate::star::Cones;
 use crate::threads::Threads;
 
 /// Vertices that are given to several threads before the host is told of progress, and all threads wait for the last one. Where
-/// there are no more, all colours go in one go.
+/// there are no more, the colours follow each other without a word to the host.
 const BATCH: usize = 1 << 20;
 
 /// The same for each thread in tasks inside blocks or shares.

@@ -16,6 +16,10 @@ const LARGE: usize = 32 << 10;
 thread_local! {
     /// Large allocations of this thread that still succeed.
     static LEFT: Cell<usize> = const { Cell::new(usize::MAX) };
+    /// Bytes from which on this thread gets nothing.
+    static LIMIT: Cell<usize> = const { Cell::new(usize::MAX) };
+    /// How often it has asked for as many.
+    static REFUSED: Cell<usize> = const { Cell::new(0) };
 }
 
 /// The system's allocator, which fails on this thread when its time has come.
@@ -23,6 +27,10 @@ struct Failing;
 
 impl Failing {
     fn may_have(bytes: usize) -> bool {
+        if LIMIT.try_with(|limit| bytes >= limit.get()).unwrap_or(false) {
+            REFUSED.set(REFUSED.get() + 1);
+            return false;
+        }
         bytes < LARGE || LEFT.try_with(|left| left.replace(left.get().saturating_sub(1)) > 0).unwrap_or(true)
     }
 }
@@ -103,6 +111,25 @@ fn smoothing_without_memory() {
         let fixed = Constraints { visits: &visits, ..Constraints::default() };
         assert_survives("smooth", &mesh(), |mesh| smooth(&mut mesh.0, &mesh.1, &options, &fixed, &mut silent));
     }
+}
+
+/// Address space for large pages is taken where it can be had, and done without elsewhere.
+#[test]
+fn smoothing_with_little_address_space() {
+    let before = torus(700, 520, 0.1, 3);
+    let options = Options { threads: 1, iterations: 1, measure: false, ..Options::default() };
+    let smoothed = |limit| {
+        let mut mesh = before.clone();
+        LIMIT.set(limit);
+        let done = smooth(&mut mesh.0, &mesh.1, &options, &Constraints::default(), &mut silent);
+        LIMIT.set(usize::MAX);
+        done.map(|_| mesh.0)
+    };
+    let expected = smoothed(usize::MAX).expect("memory");
+    assert!(REFUSED.get() == 0 && expected != before.0);
+    // No array of this mesh needs as much.
+    assert_eq!(smoothed(32 << 20).expect("memory enough"), expected);
+    assert_eq!(REFUSED.get() > 0, cfg!(all(target_os = "linux", target_pointer_width = "64")));
 }
 
 #[test]
